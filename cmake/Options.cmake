@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+# One INTERFACE target says how this project is compiled; third-party targets never see it.
+add_library(pacer_options INTERFACE)
+target_compile_features(pacer_options INTERFACE cxx_std_20)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+option(PACER_WERROR "Treat warnings as errors" OFF)
+option(PACER_COVERAGE "Count covered lines" OFF)
+set(PACER_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
+
+set(_warnings
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+  -Woverloaded-virtual -Wdouble-promotion
+  $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op>
+  $<$<BOOL:${PACER_WERROR}>:-Werror>)
+target_compile_options(pacer_options INTERFACE
+  $<BUILD_INTERFACE:${_warnings}>
+  -ffp-contract=off)  # the same arithmetic with and without FMA
+if(PACER_SANITIZE)
+  target_compile_options(pacer_options INTERFACE
+    -fsanitize=${PACER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(pacer_options INTERFACE -fsanitize=${PACER_SANITIZE})
+endif()
+if(PACER_COVERAGE)
+  target_compile_options(pacer_options INTERFACE --coverage)
+  target_link_options(pacer_options INTERFACE --coverage)
+endif()
+
+# pacer_library(NAME source...): one static library a module, pacer_NAME, alias pacer::NAME.
+function(pacer_library name)
+  add_library(pacer_${name} STATIC ${ARGN})
+  add_library(pacer::${name} ALIAS pacer_${name})
+  set_target_properties(pacer_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(pacer_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
+    $<INSTALL_INTERFACE:include/pacer>)
+  target_link_libraries(pacer_${name} PUBLIC pacer_options)
+endfunction()
+
+# pacer_test(NAME LABEL label LIBS target... SOURCES file... [TIMEOUT s]): GoogleTest, one label.
+function(pacer_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "LIBS;SOURCES" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 60)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "learning/affordance/transaction.h"
+
+namespace pacer::affordance {
+
+/// What makes an association rule (6.5.3). The thesis's thresholds are percent.
+struct AprioriConfig {
+  double support_percent = 0.02;     ///< of all transactions, rounded up to a count
+  double confidence_percent = 99.0;  ///< supp(X u Y) / supp(X), at least
+  int min_items = 3;                 ///< counting the action type
+  int max_items = 10;                ///< counting the action type
+  int min_stretches = 1;             ///< distinct stretches of time that must support a rule
+  bool grow_confident = true;        ///< false: a rule that is confident is not grown any further
+
+  /// Throws std::invalid_argument, naming the field.
+  void validate() const;
+
+  template <class Visitor>
+  void fields(Visitor&& visit) {
+    visit("support_percent", support_percent);
+    visit("confidence_percent", confidence_percent);
+    visit("min_items", min_items);
+    visit("max_items", max_items);
+    visit("min_stretches", min_stretches);
+    visit("grow_confident", grow_confident);
+  }
+};
+
+/// items -> type.
+struct Rule {
+  ActionType type = 0;
+  std::vector<Item> items;    ///< ascending, without the action type
+  std::uint32_t count = 0;    ///< transactions that hold the items and the type, supp(X u Y)
+  std::uint32_t holding = 0;  ///< transactions that hold the items, supp(X)
+  [[nodiscard]] double confidence() const noexcept {
+    return static_cast<double>(count) / static_cast<double>(holding);
+  }
+  friend bool operator==(const Rule&, const Rule&) = default;
+};
+
+/// Every rule for `type` that meets `config`, sorted by items. Exact.
+[[nodiscard]] std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,
+                                           const AprioriConfig& config);
+
+}  // namespace pacer::affordance

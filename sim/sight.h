@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+namespace pacer::sim {
+
+/// What can be seen of the lead vehicle in one frame, at that frame's shutter: what a person who
+/// looks at the picture could say. Empty where the lead is out of view, hidden or covered by the
+/// radio link's interference.
+struct LeadSight {
+  bool seen = false;
+  double bearing =
+      0.0;  ///< radians from the camera's axis to the middle of the visible part; + is left
+  double size = 0.0;  ///< radians, the angle that the visible part's greater side subtends
+  Eigen::Vector2d low = Eigen::Vector2d::Zero();   ///< top-left of the visible part, pixels
+  Eigen::Vector2d high = Eigen::Vector2d::Zero();  ///< bottom-right of it, pixels
+  double visible = 0.0;  ///< share of the body's sample points that can be seen, [0, 1]
+};
+
+}  // namespace pacer::sim
