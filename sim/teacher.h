@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/policy.h"
+#include "core/random.h"
+#include "core/range.h"
+#include "sim/sight.h"
+
+namespace pacer::sim {
+
+/// How the scripted teacher drives. Ranges are drawn once an episode: nobody drives alike twice.
+struct TeacherConfig {
+  Range reaction{0.16, 0.24};     ///< seconds from seeing to doing; also all it remembers
+  Range smoothing{0.06, 0.12};    ///< seconds, of the hand's low-pass
+  Range distance{0.95, 1.35};     ///< metres it likes to keep from a lead at `cruise`
+  double wander = 0.10;           ///< metres, deviation of that liking within an episode
+  double lead_height = 0.14;      ///< metres, what it takes the lead's height to be
+  double cruise = 0.20;           ///< stick, at the distance it likes
+  Range eagerness{0.30, 0.45};    ///< stick per metre too far
+  Range looming{0.15, 0.30};      ///< stick per m/s of the gap opening
+  double halt = 0.62;             ///< metres: no throttle nearer than this
+  double panic = 0.50;            ///< metres: brakes
+  double most = 0.38;             ///< stick, at most ahead
+  double brake = 0.30;            ///< stick, of braking
+  Range steering{1.25, 1.75};     ///< stick per radian of bearing: above what geometry asks
+  Range correction{0.15, 0.30};   ///< seconds that it looks ahead along the bearing's drift
+  double edge = 6.0;              ///< pixels from the picture's edge: full lock
+  double steering_noise = 0.05;   ///< stick, deviation, coloured
+  double throttle_noise = 0.012;  ///< stick, deviation, coloured
+  double noise_time = 0.6;        ///< seconds, its correlation
+  double steering_dead = 0.02;    ///< stick: smaller changes are not made
+  double throttle_dead = 0.006;   ///< stick, likewise
+
+  /// Throws std::invalid_argument, naming the field.
+  void validate() const;
+
+  template <class Visitor>
+  void fields(Visitor&& visit) {
+    visit("reaction_s", reaction);
+    visit("smoothing_s", smoothing);
+    visit("distance_m", distance);
+    visit("wander_m", wander);
+    visit("lead_height_m", lead_height);
+    visit("cruise", cruise);
+    visit("eagerness_per_m", eagerness);
+    visit("looming_s_per_m", looming);
+    visit("halt_m", halt);
+    visit("panic_m", panic);
+    visit("most", most);
+    visit("brake", brake);
+    visit("steering_per_rad", steering);
+    visit("correction_s", correction);
+    visit("edge_px", edge);
+    visit("steering_noise", steering_noise);
+    visit("throttle_noise", throttle_noise);
+    visit("noise_time_s", noise_time);
+    visit("steering_dead_zone", steering_dead);
+    visit("throttle_dead_zone", throttle_dead);
+  }
+};
+
+/// Follows the lead as a person at the sticks would who has the picture and nothing else: towards
+/// where it appears, faster when it looks small, and not at all when it is not to be seen.
+class Teacher final : public Policy {
+ public:
+  /// `sight` must outlive it, and must tell of the very frame handed to act().
+  Teacher(const TeacherConfig& config, const LeadSight& sight, const Random& random);
+
+  [[nodiscard]] Command act(const Observation& observation, Annotations& annotations) override;
+  [[nodiscard]] Driver driver() const override { return Driver::kTeacher; }
+
+ private:
+  /// What it makes of one sight.
+  struct Percept {
+    double time = 0.0;  // seconds, of the frame
+    bool seen = false;
+    double bearing = 0.0;   // radians, + left
+    double distance = 0.0;  // metres, guessed from apparent size
+    int edge = 0;           // +1 leaves on the left, -1 on the right
+  };
+
+  [[nodiscard]] Percept perceive(const Frame& frame) const;
+  [[nodiscard]] Command wish(const Percept& now);
+
+  TeacherConfig config_;
+  const LeadSight& sight_;
+  Random random_;
+  double reaction_, smoothing_, distance_, eagerness_, looming_, steering_, correction_;
+
+  static constexpr std::size_t kMost = 64;
+  std::array<Percept, kMost> seen_{};  // a ring of what is not yet acted on
+  std::size_t first_ = 0, count_ = 0;
+  Percept before_;                 // acted on last
+  double turning_ = 0.0;           // rad/s, drift of the bearing, smoothed
+  double opening_ = 0.0;           // m/s, drift of the distance, smoothed
+  double mood_ = 0.0;              // metres, off the distance it likes
+  Command tremor_, hand_, stick_;  // noise; smoothed wish; what the stick shows
+  double last_time_ = 0.0;
+  bool started_ = false;
+};
+
+}  // namespace pacer::sim
