@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pacer {
@@ -16,5 +18,9 @@ struct SignalColumn {
 
 /// One step's values: each column's components in turn. The columns are the car's, and constant.
 using SignalValues = std::span<const float>;
+
+/// Where the first component of the column called `name` lies in a step's values.
+/// Throws std::runtime_error when there is no such column.
+[[nodiscard]] std::size_t offset_of(std::span<const SignalColumn> columns, std::string_view name);
 
 }  // namespace pacer

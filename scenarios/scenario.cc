@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/scenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "core/check.h"
+#include "scenarios/yaml_fields.h"
+
+namespace pacer {
+namespace {
+
+constexpr std::size_t kLargestFile = 256 * 1024;  // bytes; a scenario is a few kB
+
+const char* name_of(Purpose purpose) {
+  return purpose == Purpose::kCollect ? "collect" : "evaluate";
+}
+
+YAML::Node parse_yaml(const std::string& text, const std::string& source) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& error) {
+    throw UsageError(fmt::format("{}:{}: {}", source, error.mark.line + 1, error.msg));
+  }
+}
+
+/// "a.b=value" as the mapping {a: {b: value}}.
+YAML::Node nested(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw UsageError("--set " + assignment + ": expected key=value, such as seed=7");
+  }
+  YAML::Node node = parse_yaml(assignment.substr(equals + 1), "--set " + assignment);
+  std::string path = assignment.substr(0, equals);
+  while (!path.empty()) {
+    const std::size_t dot = path.rfind('.');
+    YAML::Node outer(YAML::NodeType::Map);
+    outer[dot == std::string::npos ? path : path.substr(dot + 1)] = node;
+    node = outer;
+    path = dot == std::string::npos ? "" : path.substr(0, dot);
+  }
+  return node;
+}
+
+void read(Scenario& scenario, const YAML::Node& node, const std::string& source) {
+  YamlReader reader(node, source, "");
+  scenario.fields(reader);
+  reader.finish();
+}
+
+}  // namespace
+
+void FollowingConfig::validate() const {
+  require(duration.count() > 0.0, "duration_s: must be positive");
+  require(longest_loss.count() > 0.0, "longest_loss_s: must be positive");
+  require(nearest >= 0.0 && nearest < farthest, "nearest_m: must lie between 0 and farthest_m");
+  require(share_in_range > 0.0 && share_in_range <= 1.0, "share_in_range: must lie in (0, 1]");
+}
+
+void RoomSplit::validate() const {
+  require(!demonstrated.empty(), "demonstrated: name at least one kind of room");
+  require(!unseen.empty(), "unseen: name at least one kind of room");
+  for (const std::string& kind : unseen) {
+    require(std::ranges::find(demonstrated, kind) == demonstrated.end(),
+            "unseen: \"" + kind + "\" is demonstrated too");
+  }
+}
+
+void Scenario::validate() const {
+  require(car == "simulated" || car == "replayed", "car: expected simulated or replayed");
+  require(car != "replayed" || !replayed.dataset.empty(),
+          "replayed.dataset: name the dataset to replay");
+  (void)simulated_for(Purpose::kCollect);
+  (void)simulated_for(Purpose::kEvaluate);
+}
+
+Random Scenario::episode_random(Purpose purpose, std::uint64_t index) const {
+  return Random(seed).fork(name_of(purpose), index);
+}
+
+sim::SimCarConfig Scenario::simulated_for(Purpose purpose) const {
+  sim::SimCarConfig config = simulated;
+  config.room.kinds = purpose == Purpose::kCollect ? rooms.demonstrated : rooms.unseen;
+  config.room.validate();
+  return config;
+}
+
+Scenario parse_scenario(const std::string& text, const std::string& source,
+                        std::span<const std::string> overrides) {
+  Scenario scenario;
+  const YAML::Node file = parse_yaml(text, source);
+  if (!file.IsNull()) read(scenario, file, source);
+  for (const std::string& assignment : overrides) read(scenario, nested(assignment), "--set");
+  FieldChecker(source, "").check_all(scenario);
+  return scenario;
+}
+
+Scenario load_scenario(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw UsageError(file.string() +
+                     ": is a folder; name a scenario file, such as "
+                     "scenarios/follow.yaml");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw UsageError(fmt::format("{}: {}; name a scenario file, such as scenarios/follow.yaml",
+                                 file.string(), std::strerror(errno)));
+  }
+  std::string text(kLargestFile + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > kLargestFile) {
+    throw UsageError(file.string() + ": larger than 256 kB, so no scenario");
+  }
+  return parse_scenario(text, file.string(), overrides);
+}
+
+std::string to_yaml(const Scenario& scenario) {
+  Scenario copy = scenario;
+  YAML::Emitter out;
+  YamlWriter writer(out);
+  out << YAML::BeginMap;
+  copy.fields(writer);
+  out << YAML::EndMap;
+  return std::string(out.c_str()) + "\n";
+}
+
+}  // namespace pacer

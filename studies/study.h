@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "runs/report/page.h"
+#include "scenarios/scenario.h"
+
+namespace pacer {
+
+/// A figure held against what the thesis, or the project, claims of it.
+struct Claim {
+  std::string name;    ///< the figure's
+  std::string thesis;  ///< what is claimed, in words
+  std::string bound;   ///< e.g. ">= 0.75"
+  double measured = 0.0;
+  bool holds = false;
+};
+
+[[nodiscard]] Claim at_least(std::string name, std::string thesis, double measured, double bound);
+[[nodiscard]] Claim at_most(std::string name, std::string thesis, double measured, double bound);
+
+/// What a study measured.
+struct StudyResult {
+  nlohmann::ordered_json figures;
+  std::vector<Claim> claims;
+};
+
+/// What a study may use.
+struct StudyContext {
+  Scenario scenario;
+  int jobs = 2;
+  std::filesystem::path cache;  ///< recordings, models and runs shared between studies
+  std::optional<std::filesystem::path> transactions;  ///< a file to mine (`apriori`)
+  std::function<void(const std::string&)> say;        ///< one line of progress
+  std::stop_token stop;
+  report::Page* page = nullptr;  ///< where plots and tables go; never null
+};
+
+/// A table or figure that is reproduced, or a comparison.
+struct Study {
+  std::string name;
+  std::string about;  ///< one line
+  StudyResult (*run)(const StudyContext& context);
+};
+
+/// Every study, in the order in which `study all` runs them.
+[[nodiscard]] const std::vector<Study>& studies();
+
+/// {"study", "version", "seed", "machine", "seconds", "figures", "claims"}.
+[[nodiscard]] nlohmann::ordered_json to_json(const Study& study, const StudyContext& context,
+                                             const StudyResult& result, double seconds);
+
+}  // namespace pacer
