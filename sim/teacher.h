@@ -13,7 +13,8 @@ namespace pacer::sim {
 
 /// How the scripted teacher drives. Ranges are drawn once an episode: nobody drives alike twice.
 struct TeacherConfig {
-  Range reaction{0.16, 0.24};     ///< seconds from seeing to doing; also all it remembers
+  Range reaction{0.16, 0.24};     ///< seconds from seeing to doing
+  double memory = 0.1;            ///< seconds that it goes on when the lead has gone: a flicker
   Range smoothing{0.06, 0.12};    ///< seconds, of the hand's low-pass
   Range distance{0.95, 1.35};     ///< metres it likes to keep from a lead at `cruise`
   double wander = 0.10;           ///< metres, deviation of that liking within an episode
@@ -40,6 +41,7 @@ struct TeacherConfig {
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("reaction_s", reaction);
+    visit("memory_s", memory);
     visit("smoothing_s", smoothing);
     visit("distance_m", distance);
     visit("wander_m", wander);
@@ -93,10 +95,12 @@ class Teacher final : public Policy {
   static constexpr std::size_t kMost = 64;
   std::array<Percept, kMost> seen_{};  // a ring of what is not yet acted on
   std::size_t first_ = 0, count_ = 0;
-  Percept before_;                 // acted on last
-  double turning_ = 0.0;           // rad/s, drift of the bearing, smoothed
-  double opening_ = 0.0;           // m/s, drift of the distance, smoothed
-  double mood_ = 0.0;              // metres, off the distance it likes
+  Percept before_;        // acted on last
+  double turning_ = 0.0;  // rad/s, drift of the bearing, smoothed
+  double opening_ = 0.0;  // m/s, drift of the distance, smoothed
+  double mood_ = 0.0;     // metres, off the distance it likes
+  Command goal_;          // of the last percept that showed the lead
+  double goal_time_ = -1e9;
   Command tremor_, hand_, stick_;  // noise; smoothed wish; what the stick shows
   double last_time_ = 0.0;
   bool started_ = false;

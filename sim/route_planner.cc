@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "sim/route.h"
+
+namespace pacer::sim {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// A stretch of way: curvature goes to `curvature` as fast as it may and stays.
+struct Stretch {
+  double curvature = 0.0;  // 1/m
+  double length = 0.0;     // metres
+};
+
+/// Lays a way stretch by stretch, and takes stretches back where it leads into a corner.
+class WayLayer {
+ public:
+  WayLayer(const RouteConfig& config, const RoomPlan& plan, double room, double step,
+           Random& random)
+      : config_(config), plan_(plan), room_(room), step_(step), random_(random) {}
+
+  /// A way of `length` metres, or nothing where it was led astray too often.
+  std::optional<std::vector<RoutePoint>> lay(double length) {
+    if (!begin()) return std::nullopt;
+    constexpr int kEffort = 1500;  // stretches tried
+    constexpr int kPatience = 8;   // of them at one place
+    int refused = 0;
+    for (int effort = 0; effort < kEffort; ++effort) {
+      if (step_ * static_cast<double>(points_.size()) > length) return points_;
+      if (extend(draw())) {
+        refused = 0;
+      } else if (++refused > kPatience) {
+        refused = 0;
+        take_back(1 + static_cast<std::size_t>(random_.below(4)));
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool begin() {
+    points_.clear();
+    starts_.clear();
+    RoutePoint start;
+    for (int i = 0; i < 50; ++i) {
+      for (int axis : {0, 1}) {
+        const double half = std::max(plan_.half_extent[axis] - room_, 0.0);
+        start.pose.position[axis] = random_.uniform(-half, half);
+      }
+      start.pose.yaw = random_.uniform(-std::numbers::pi, std::numbers::pi);
+      if (clearance(plan_, start.pose.position) < room_) continue;
+      points_ = {start};
+      // The first stretch is nearly straight: both cars stand on it, and the follower looks ahead.
+      if (extend({random_.uniform(-0.15, 0.15), config_.gap + 0.3})) return true;
+    }
+    return false;
+  }
+
+  Stretch draw() {
+    const double lean = points_.back().pose.yaw;  // unwrapped: all that was turned so far
+    const double to_left = std::clamp(0.5 - 0.12 * (lean - points_.front().pose.yaw), 0.15, 0.85);
+    const double side = random_.chance(to_left) ? 1.0 : -1.0;
+    const double kind = random_.uniform(0.0, 1.0);
+    const double sharpest = 1.0 / config_.radius;
+    if (kind < 0.25) return {random_.uniform(-0.1, 0.1), random_.uniform(0.4, 1.4)};
+    if (kind < 0.45) {
+      return {side * sharpest, random_.uniform(100.0, 170.0) * kDegree * config_.radius};
+    }
+    return {side * random_.uniform(0.15, 0.9) * sharpest, random_.uniform(0.5, 1.6)};
+  }
+
+  /// False, and nothing laid, where the stretch leaves the free floor or meets the follower.
+  bool extend(const Stretch& stretch) {
+    const std::size_t start = points_.size();
+    const auto count = static_cast<std::size_t>(stretch.length / step_) + 1;
+    const double change = config_.sharpness * step_;
+    for (std::size_t i = 0; i < count; ++i) {
+      RoutePoint point = points_.back();
+      const double old_curvature = point.curvature;
+      point.curvature += std::clamp(stretch.curvature - old_curvature, -change, change);
+      const double turn = 0.5 * (old_curvature + point.curvature) * step_;
+      point.pose.yaw += 0.5 * turn;
+      point.pose.position += step_ * point.pose.ahead();
+      point.pose.yaw += 0.5 * turn;
+      if (clearance(plan_, point.pose.position) < room_ || meets_follower(point)) {
+        points_.resize(start);
+        return false;
+      }
+      points_.push_back(point);
+    }
+    starts_.push_back(start);
+    return true;
+  }
+
+  /// Whether `point` comes back to where the follower is when the lead is there.
+  [[nodiscard]] bool meets_follower(const RoutePoint& point) const {
+    constexpr double kApart = 0.8;              // metres
+    constexpr double kNear = 1.0, kLate = 3.4;  // metres of way behind the lead
+    const auto near = static_cast<std::size_t>(kNear / step_);
+    const auto late = static_cast<std::size_t>(kLate / step_);
+    for (std::size_t back = near; back < std::min(late, points_.size()); back += 3) {
+      const RoutePoint& there = points_[points_.size() - back];
+      if ((there.pose.position - point.pose.position).norm() < kApart) return true;
+    }
+    return false;
+  }
+
+  void take_back(std::size_t stretches) {
+    while (stretches-- > 0 && starts_.size() > 1) {  // never the first
+      points_.resize(starts_.back());
+      starts_.pop_back();
+    }
+  }
+
+  const RouteConfig& config_;
+  const RoomPlan& plan_;
+  double room_;
+  double step_;
+  Random& random_;
+  std::vector<RoutePoint> points_;
+  std::vector<std::size_t> starts_;  // of each stretch
+};
+
+/// Stops spread over the time, where the way is about straight: one starts as one would.
+void choose_stands(const RouteConfig& config, Route& route, Random& random) {
+  const double reach = std::min(0.75 * config.speed.middle() * config.horizon.count(),
+                                route.length() - route.lead_at);
+  for (int i = 0; i < config.stands; ++i) {
+    const double share = (i + random.uniform(0.35, 0.95)) / config.stands;
+    const double wanted = route.lead_at + share * 0.9 * reach;
+    double best = wanted;
+    double least = 1e9;
+    for (double at = wanted - 1.0; at < wanted + 1.0; at += 0.1) {
+      double bend = 0.0;
+      for (double near = at - 0.3; near < at + 0.9; near += 0.1) {
+        bend = std::max(bend, std::abs(route.at(near).curvature));
+      }
+      if (bend < least) {
+        least = bend;
+        best = at;
+      }
+    }
+    route.stands.push_back({.at = best, .duration = Seconds{config.stand.draw(random)}});
+  }
+}
+
+/// Speeds that are drawn anew on the way, slow in bends, and zero at stands and at the end.
+void choose_speeds(const RouteConfig& config, Route& route, Random& random) {
+  std::vector<RoutePoint>& points = route.points;
+  double wanted = 0.0;
+  double until = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double along = static_cast<double>(i) * route.step;
+    if (along >= until) {
+      wanted = config.speed.draw(random);
+      until = along + random.uniform(2.0, 4.0);
+    }
+    const double bend = std::max(std::abs(points[i].curvature), 1e-6);
+    points[i].speed = std::min(wanted, std::sqrt(config.sideways / bend));
+  }
+  const auto index = [&](double along) {
+    return std::min(static_cast<std::size_t>(std::lround(along / route.step)), points.size() - 1);
+  };
+  points[index(route.lead_at)].speed = 0.0;
+  for (const Stand& stand : route.stands) points[index(stand.at)].speed = 0.0;
+  points.back().speed = 0.0;
+  const double gain = 2.0 * config.acceleration * route.step;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double before = points[i - 1].speed;
+    points[i].speed = std::min(points[i].speed, std::sqrt(before * before + gain));
+  }
+  for (std::size_t i = points.size() - 1; i-- > 0;) {
+    const double after = points[i + 1].speed;
+    points[i].speed = std::min(points[i].speed, std::sqrt(after * after + gain));
+  }
+}
+
+bool has_all(const RouteConfig& config, const RouteFacts& facts) {
+  constexpr double kWidest = 31.0 * kDegree;   // off the axis: the lead stays in the picture
+  constexpr double kNearest = 0.62;            // metres, lead to follower
+  constexpr double kFollowerClearance = 0.36;  // metres: half a car and a hand's breadth
+  const double turn = config.least_turn * kDegree;
+  return facts.distance >= config.least_distance && facts.turn_left >= turn &&
+         facts.turn_right >= turn && facts.stands >= config.stands &&
+         facts.side_on >= config.side_on * kDegree && facts.bearing <= kWidest &&
+         facts.follower_gap >= kNearest && facts.follower_clearance >= kFollowerClearance;
+}
+
+}  // namespace
+
+Route plan_route(const RouteConfig& config, const RoomPlan& plan, const Random& random) {
+  const double length =
+      config.gap + std::max(config.speed.middle() * config.horizon.count(), config.gap);
+  for (int i = 0; i < config.tries; ++i) {
+    Random dice = random.fork("route", static_cast<std::uint64_t>(i));
+    // Rooms where the first half of the tries finds nothing are narrow: keep less clearance.
+    const double share = std::max(2.0 * i / config.tries - 1.0, 0.0);
+    const double room = config.clearance + share * (config.least_clearance - config.clearance);
+    Route route;
+    route.lead_at = config.gap;
+    auto way = WayLayer(config, plan, room, route.step, dice).lay(length);
+    if (!way) continue;
+    route.points = std::move(*way);
+    choose_stands(config, route, dice);
+    choose_speeds(config, route, dice);
+    constexpr double kSure = 0.93;  // of the horizon: the lead may fall behind its plan
+    if (has_all(config, rehearse(route, plan, kSure * config.horizon))) return route;
+  }
+  throw std::runtime_error("room '" + plan.kind + "': no route in " + std::to_string(config.tries) +
+                           " tries: make the room larger or ask less of the route");
+}
+
+}  // namespace pacer::sim

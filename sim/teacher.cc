@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/teacher.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace pacer::sim {
+
+void TeacherConfig::validate() const {
+  reaction.validate("reaction_s", 0.0, 1.0);
+  require(memory >= 0.0 && memory <= reaction.low, "memory_s: must lie in [0, reaction_s]");
+  smoothing.validate("smoothing_s", 0.0, 1.0);
+  distance.validate("distance_m", 0.5, 2.5);
+  require(wander >= 0.0 && wander <= 0.5, "wander_m: must lie in [0, 0.5]");
+  require(lead_height > 0.0, "lead_height_m: must be positive");
+  require(cruise >= 0.0 && cruise <= 1.0, "cruise: must lie in [0, 1]");
+  eagerness.validate("eagerness_per_m", 0.0, 5.0);
+  looming.validate("looming_s_per_m", 0.0, 5.0);
+  require(panic >= 0.0 && panic <= halt, "panic_m: must lie in [0, halt_m]");
+  require(halt <= distance.low, "halt_m: must be at most the least distance_m");
+  require(most > 0.0 && most <= 1.0, "most: must lie in (0, 1]");
+  require(brake >= 0.0 && brake <= 1.0, "brake: must lie in [0, 1]");
+  steering.validate("steering_per_rad", 0.0, 10.0);
+  correction.validate("correction_s", 0.0, 1.0);
+  require(edge >= 0.0, "edge_px: must not be negative");
+  require(steering_noise >= 0.0, "steering_noise: must not be negative");
+  require(throttle_noise >= 0.0, "throttle_noise: must not be negative");
+  require(noise_time > 0.0, "noise_time_s: must be positive");
+  require(steering_dead >= 0.0, "steering_dead_zone: must not be negative");
+  require(throttle_dead >= 0.0, "throttle_dead_zone: must not be negative");
+}
+
+namespace {
+
+constexpr double kMoodTime = 6.0;    // seconds, how long a liking for a distance lasts
+constexpr double kDriftTime = 0.12;  // seconds over which it judges how things drift
+
+/// The share of the way that a first-order lag of `constant` goes in `elapsed`.
+double share(double elapsed, double constant) {
+  return constant > 0.0 ? 1.0 - std::exp(-elapsed / constant) : 1.0;
+}
+
+/// One step of coloured noise (Ornstein and Uhlenbeck) of the given deviation.
+double coloured(double value, double elapsed, double constant, double deviation, Random& random) {
+  const double keep = std::exp(-elapsed / constant);
+  return keep * value + std::sqrt(1.0 - keep * keep) * random.normal(0.0, deviation);
+}
+
+}  // namespace
+
+Teacher::Teacher(const TeacherConfig& config, const LeadSight& sight, const Random& random)
+    : config_(config), sight_(sight), random_(random.fork("hand")) {
+  config_.validate();
+  Random habits = random.fork("habits");
+  reaction_ = config_.reaction.draw(habits);
+  smoothing_ = config_.smoothing.draw(habits);
+  distance_ = config_.distance.draw(habits);
+  eagerness_ = config_.eagerness.draw(habits);
+  looming_ = config_.looming.draw(habits);
+  steering_ = config_.steering.draw(habits);
+  correction_ = config_.correction.draw(habits);
+  mood_ = random_.normal(0.0, config_.wander);
+}
+
+Teacher::Percept Teacher::perceive(const Frame& frame) const {
+  Percept percept{.time = frame.time.count()};
+  const Eigen::Vector2d extent = sight_.high - sight_.low;
+  if (!sight_.seen || extent.maxCoeff() <= 0.0) return percept;
+  percept.seen = true;
+  percept.bearing = sight_.bearing;
+  // A vehicle looks as high from behind as from the side, but not as wide.
+  const double height = std::max(sight_.size * extent.y() / extent.maxCoeff(), 1e-3);
+  percept.distance = std::min(config_.lead_height / height, 5.0);
+  if (sight_.low.x() < config_.edge) percept.edge = 1;
+  if (sight_.high.x() > frame.size.width - 1 - config_.edge) {
+    percept.edge = percept.edge == 1 ? 0 : -1;  // as wide as the picture: no side to steer to
+  }
+  return percept;
+}
+
+Command Teacher::wish(const Percept& now) {
+  const double elapsed = now.time - before_.time;
+  if (before_.seen && elapsed > 0.0) {
+    const double ease = share(elapsed, kDriftTime);
+    turning_ +=
+        ease * (std::clamp((now.bearing - before_.bearing) / elapsed, -3.0, 3.0) - turning_);
+    opening_ +=
+        ease * (std::clamp((now.distance - before_.distance) / elapsed, -1.5, 1.5) - opening_);
+  } else if (!before_.seen) {
+    turning_ = opening_ = 0.0;
+  }
+  Command wish;
+  wish.steering = steering_ * (now.bearing + correction_ * turning_);
+  if (now.edge != 0) wish.steering = now.edge;
+  const double liking = std::max(distance_ + mood_, config_.halt + 0.1);
+  if (now.distance < config_.panic) {
+    wish.throttle = -config_.brake;
+  } else if (now.distance > config_.halt) {
+    wish.throttle =
+        std::clamp(config_.cruise + eagerness_ * (now.distance - liking) + looming_ * opening_, 0.0,
+                   config_.most);
+  }
+  return wish;
+}
+
+Command Teacher::act(const Observation& observation, Annotations& annotations) {
+  const Frame& frame = observation.frame;
+  const double time = frame.time.count();
+  const double elapsed = started_ ? std::max(time - last_time_, 0.0) : 0.0;
+  started_ = true;
+  last_time_ = time;
+
+  if (count_ == kMost) {  // a camera faster than the ring: the oldest is forgotten early
+    first_ = (first_ + 1) % kMost;
+    --count_;
+  }
+  const Percept fresh = perceive(frame);
+  seen_[(first_ + count_++) % kMost] = fresh;
+  Percept now = before_;  // the latest that is old enough to act on
+  while (count_ > 0 && seen_[first_].time <= time - reaction_ + 1e-9) {
+    now = seen_[first_];
+    first_ = (first_ + 1) % kMost;
+    --count_;
+  }
+
+  mood_ = coloured(mood_, elapsed, kMoodTime, config_.wander, random_);
+  tremor_.steering =
+      coloured(tremor_.steering, elapsed, config_.noise_time, config_.steering_noise, random_);
+  tremor_.throttle =
+      coloured(tremor_.throttle, elapsed, config_.noise_time, config_.throttle_noise, random_);
+  Command goal;  // neutral: it stops when it sees nothing
+  if (now.seen) {
+    goal = goal_ = wish(now);
+    goal_time_ = now.time;
+  } else if (now.time - goal_time_ <= config_.memory) {
+    goal = goal_;  // a flicker of the picture
+  }
+  before_ = now;
+  const double ease = share(elapsed, smoothing_);
+  hand_.steering += ease * (goal.steering - hand_.steering);
+  hand_.throttle += ease * (goal.throttle - hand_.throttle);
+
+  Command wanted = hand_;
+  if (goal != Command{}) wanted.steering += tremor_.steering;
+  if (goal.throttle > 0.0) wanted.throttle = std::max(wanted.throttle + tremor_.throttle, 0.0);
+  if (std::abs(wanted.steering - stick_.steering) >= config_.steering_dead) {
+    stick_.steering = wanted.steering;
+  }
+  if (std::abs(wanted.throttle - stick_.throttle) >= config_.throttle_dead) {
+    stick_.throttle = wanted.throttle;
+  }
+  // A foot off the pedal is off.
+  if (goal.throttle == 0.0 && std::abs(hand_.throttle) < 0.02) stick_.throttle = 0.0;
+
+  if (fresh.seen) {
+    const Eigen::Vector2f low = sight_.low.cast<float>();
+    const Eigen::Vector2f high = sight_.high.cast<float>();
+    annotations.boxes.push_back(
+        {.low = {low.x(), low.y()}, .high = {high.x(), high.y()}, .tone = Tone::kTarget});
+  } else {
+    annotations.label = "nothing to be seen";
+  }
+  return stick_ = clamped(stick_);
+}
+
+}  // namespace pacer::sim
