@@ -8,14 +8,17 @@
 
 namespace pacer::affordance {
 
-/// What makes an association rule (6.5.3). The thesis's thresholds are percent.
+/// What makes an association rule (6.5.3). The thesis's thresholds are percent; they are read to
+/// seven decimals and compared as integers, so that 0.02 % of 100,000 is 20 and 99 of 100 is 99 %.
 struct AprioriConfig {
   double support_percent = 0.02;     ///< of all transactions, rounded up to a count
   double confidence_percent = 99.0;  ///< supp(X u Y) / supp(X), at least
   int min_items = 3;                 ///< counting the action type
   int max_items = 10;                ///< counting the action type
   int min_stretches = 1;             ///< distinct stretches of time that must support a rule
-  bool grow_confident = true;        ///< false: a rule that is confident is not grown any further
+  /// false: only the rules that have no other rule among their subsets, whatever the order of the
+  /// search. Support only falls as a set grows, so these are the least confident sets.
+  bool grow_confident = true;
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
@@ -43,8 +46,14 @@ struct Rule {
   friend bool operator==(const Rule&, const Rule&) = default;
 };
 
-/// Every rule for `type` that meets `config`, sorted by items. Exact.
+/// Every rule for `type` that meets `config`, sorted by items. Exact. The items of the database's
+/// transactions must be ascending, distinct and below item_count, its types below type_count.
 [[nodiscard]] std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,
                                            const AprioriConfig& config);
+
+/// The rules of all types, sorted by type, then by items; up to `jobs` types at once, a thread
+/// each. The result does not depend on `jobs`.
+[[nodiscard]] std::vector<Rule> mine_rules(const TransactionDatabase& database,
+                                           const AprioriConfig& config, int jobs = 1);
 
 }  // namespace pacer::affordance

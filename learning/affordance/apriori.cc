@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/affordance/apriori.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <iterator>
+#include <thread>
+
+#include "core/check.h"
+#include "learning/affordance/rule_search.h"
+#include "learning/affordance/transaction_index.h"
+
+namespace pacer::affordance {
+namespace {
+
+std::vector<Rule> mine(const TransactionIndex& index, ActionType type,
+                       const Thresholds& thresholds) {
+  std::vector<Rule> rules;
+  RuleSearch(index, thresholds,
+             [&](std::span<const Item> items, std::uint32_t count, std::uint32_t holding) {
+               rules.push_back({type, {items.begin(), items.end()}, count, holding});
+               return thresholds.min_count;
+             })
+      .run(type);
+  std::sort(rules.begin(), rules.end(),
+            [](const Rule& a, const Rule& b) { return a.items < b.items; });
+  return rules;
+}
+
+}  // namespace
+
+void AprioriConfig::validate() const {
+  require(support_percent > 0.0 && support_percent <= 100.0,
+          "support_percent: must lie in (0, 100]");
+  require(confidence_percent > 0.0 && confidence_percent <= 100.0,
+          "confidence_percent: must lie in (0, 100]");
+  require(min_items >= 2, "min_items: a rule has an item and its action type, so at least 2");
+  require(max_items >= min_items, "max_items: must not be below min_items");
+  require(min_stretches >= 1, "min_stretches: must be at least 1");
+}
+
+std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,
+                             const AprioriConfig& config) {
+  config.validate();
+  check(type < database.type_count, "the action type is one of the database's");
+  const Thresholds thresholds(config, database.size());
+  return mine(TransactionIndex(database, thresholds.min_count), type, thresholds);
+}
+
+std::vector<Rule> mine_rules(const TransactionDatabase& database, const AprioriConfig& config,
+                             int jobs) {
+  config.validate();
+  const Thresholds thresholds(config, database.size());
+  const TransactionIndex index(database, thresholds.min_count);
+  const auto types = static_cast<std::size_t>(database.type_count);
+  std::vector<std::vector<Rule>> found(types);
+  std::vector<std::exception_ptr> failures(types);
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t type = next++; type < types; type = next++) {
+      try {
+        found[type] = mine(index, static_cast<ActionType>(type), thresholds);
+      } catch (...) {
+        failures[type] = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t job = 1; job < std::min(types, static_cast<std::size_t>(std::max(jobs, 1)));
+         ++job) {
+      others.emplace_back(work);
+    }
+    work();
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  std::vector<Rule> rules;
+  for (std::vector<Rule>& of_type : found) {
+    std::move(of_type.begin(), of_type.end(), std::back_inserter(rules));
+    of_type = {};
+  }
+  return rules;
+}
+
+}  // namespace pacer::affordance

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "learning/affordance/apriori.h"
+#include "learning/affordance/bit_table.h"
+#include "learning/affordance/transaction_index.h"
+
+namespace pacer::affordance {
+
+/// The thresholds of AprioriConfig as integers, for a database of some size.
+struct Thresholds {
+  Thresholds(const AprioriConfig& config, std::size_t transactions);
+
+  std::uint32_t min_count;              ///< at least 1
+  std::uint64_t confidence_billionths;  ///< of one
+  std::size_t min_items;                ///< without the action type
+  std::size_t max_items;                ///< without the action type
+  std::uint32_t min_stretches;
+  bool grow_confident;
+
+  /// How many transactions of other types may hold the items of a rule that `count` support.
+  [[nodiscard]] std::uint32_t others_allowed(std::uint32_t count) const noexcept;
+};
+
+/// The depth-first search for the rules of one action type.
+///
+/// A node of the search is a prefix of items and, a bit each, which transactions of the prefix hold
+/// which of the items that may follow it: more frequent ones only, so that each set is visited
+/// once, and after all its subsets. Transactions of other types are looked at only for sets that
+/// have the support, and only until there are too many of them.
+class RuleSearch {
+ public:
+  /// Takes each rule as it is found, and returns the least count of the rules still wanted.
+  using Found = std::function<std::uint32_t(std::span<const Item> items, std::uint32_t count,
+                                            std::uint32_t holding)>;
+
+  /// `index` must outlive the search.
+  RuleSearch(const TransactionIndex& index, const Thresholds& thresholds, Found found);
+  void run(ActionType type);
+
+ private:
+  using Words = std::vector<BitTable::Word>;
+  using Ranks = std::vector<std::uint32_t>;
+
+  /// The prefix of `depth` items; prefixes of the search's path lie in nodes_ by depth.
+  struct Node {
+    Ranks ranks;                ///< of the items that may follow, ascending: the rows of the tables
+    Ranks parent_rows;          ///< their rows in the parent
+    std::size_t grown = 0;      ///< the parent's row that is the prefix's last item
+    BitTable own;               ///< in the type's transactions that hold the prefix
+    BitTable others;            ///< in the other types'
+    bool others_ready = false;  ///< else `others` is of an earlier prefix
+    Ranks stretches;            ///< of each column of `own`; empty where one is enough
+    Words own_mask, others_mask;     ///< the row to grow by
+    Ranks own_counts, other_counts;  ///< of each row together with the row to grow by
+    Ranks kept;                      ///< rows that stay frequent together with the row to grow by
+  };
+
+  void grow_item(std::uint32_t rank);
+  bool keep_frequent_pairs(std::uint32_t rank, std::span<const std::uint32_t> own);
+  void add_pairs(std::uint32_t rank, std::span<const std::uint32_t> transactions,
+                 Ranks& counts) const;
+  void set_bits(std::span<const std::uint32_t> transactions, std::size_t column,
+                BitTable& table) const;
+  void count_others_of_pairs(std::uint32_t rank);
+
+  void grow(std::size_t depth);
+  void keep_frequent(Node& node, std::size_t row);
+  void keep_unexplained(Node& node, std::uint32_t rank);
+  void count_others(std::size_t depth, std::size_t row, bool drop_useless);
+  void need_others(std::size_t depth);
+  void report(Node& node);
+  void report(std::uint32_t rank, std::uint32_t count, std::uint32_t others);
+  [[nodiscard]] bool enough_stretches(const Node& node, std::size_t row) const;
+  [[nodiscard]] bool explained(std::uint32_t previous, std::uint32_t last) const;
+
+  const TransactionIndex& index_;
+  Thresholds limits_;
+  Found found_;
+  ActionType type_ = 0;
+  std::vector<Node> nodes_;
+  Ranks prefix_;                 ///< descending
+  Ranks row_of_;                 ///< by rank: its row in the tables of nodes_[1]
+  Ranks stretch_counts_;         ///< by rank: together with the first item
+  std::vector<char> in_prefix_;  ///< by rank
+  std::vector<char> explained_;  ///< by rank: the item alone is a rule that is not grown
+  std::vector<Item> items_;      ///< of the rule being reported
+  /// Rules that are not grown, by their two most frequent items: the other items.
+  std::unordered_map<std::uint32_t, std::vector<Ranks>> rules_;
+};
+
+}  // namespace pacer::affordance
