@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runs/report/draw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/check.h"
+#include "runs/report/canvas.h"
+
+namespace pacer::report {
+namespace {
+
+constexpr int kShift = 3;   // OpenCV draws at an eighth of a pixel
+constexpr int kStrip = 56;  // height of the strip below a picture
+
+const cv::Scalar kGreen(63, 201, 116);
+const cv::Scalar kBlue(84, 160, 240);
+const cv::Scalar kRail(58, 66, 78);
+const cv::Scalar kSoft(160, 170, 184);
+
+cv::Scalar colour_of(Tone tone) {
+  switch (tone) {
+    case Tone::kMatched:
+      return kGreen;
+    case Tone::kTarget:
+      return {255, 159, 28};
+    case Tone::kIgnored:
+      return {150, 156, 166};
+    case Tone::kNeutral:
+      break;
+  }
+  return {245, 247, 250};
+}
+
+/// Marks of a frame on the magnified picture: each twice, first its rim, wider and dark.
+class Marker {
+ public:
+  Marker(cv::Mat& image, int scale)
+      : image_(image),
+        scale_(scale),
+        reach_(4.0F * static_cast<float>(std::max(image.cols, image.rows))) {}
+
+  void line(const LineMark& mark) {
+    if (!shown(mark.from) || !shown(mark.to)) return;
+    stroke(mark.tone, [&](const cv::Scalar& colour, int width) {
+      cv::line(image_, fixed(mark.from), fixed(mark.to), colour, width, cv::LINE_AA, kShift);
+    });
+  }
+
+  void box(const BoxMark& mark) {
+    if (!shown(mark.low) || !shown(mark.high)) return;
+    stroke(mark.tone, [&](const cv::Scalar& colour, int width) {
+      cv::rectangle(image_, fixed(mark.low), fixed(mark.high), colour, width, cv::LINE_AA, kShift);
+    });
+  }
+
+  void point(const PointMark& mark) {
+    if (!shown(mark.at) || !std::isfinite(mark.radius)) return;
+    const float radius = std::clamp(mark.radius * static_cast<float>(scale_), 2.5F, reach_);
+    const int fixed_radius = static_cast<int>(std::lround(radius * (1 << kShift)));
+    if (radius < 4.0F) {  // too small for a ring: a dot
+      cv::circle(image_, fixed(mark.at), fixed_radius + (3 << (kShift - 1)), canvas::kShadow,
+                 cv::FILLED, cv::LINE_AA, kShift);
+      cv::circle(image_, fixed(mark.at), fixed_radius, colour_of(mark.tone), cv::FILLED,
+                 cv::LINE_AA, kShift);
+      return;
+    }
+    stroke(mark.tone, [&](const cv::Scalar& colour, int width) {
+      cv::circle(image_, fixed(mark.at), fixed_radius, colour, width, cv::LINE_AA, kShift);
+    });
+  }
+
+ private:
+  [[nodiscard]] bool shown(PixelPoint at) const {
+    const auto inside = [this](float value) {
+      return std::isfinite(value) && std::abs(value) * static_cast<float>(scale_) <= reach_;
+    };
+    return inside(at.x) && inside(at.y);
+  }
+
+  /// From pixel centres of the frame to OpenCV's fixed-point pixel centres of the picture.
+  [[nodiscard]] cv::Point fixed(PixelPoint at) const {
+    const auto one = [this](float value) {
+      const double moved = (static_cast<double>(value) + 0.5) * scale_ - 0.5;
+      return static_cast<int>(std::lround(moved * (1 << kShift)));
+    };
+    return {one(at.x), one(at.y)};
+  }
+
+  template <class Stroke>
+  void stroke(Tone tone, const Stroke& stroke_once) {
+    const int width = tone == Tone::kIgnored || tone == Tone::kNeutral ? 1 : 2;
+    stroke_once(canvas::kShadow, width + 2);
+    stroke_once(colour_of(tone), width);
+  }
+
+  cv::Mat& image_;
+  int scale_;
+  float reach_;  // picture pixels; OpenCV's fixed point overflows far beyond
+};
+
+void draw_marks(cv::Mat& picture, const Annotations& annotations, int scale) {
+  Marker marker(picture, scale);
+  for (const LineMark& mark : annotations.lines) marker.line(mark);
+  for (const BoxMark& mark : annotations.boxes) marker.box(mark);
+  // The ones that matter come last, on top.
+  for (const PointMark& mark : annotations.points) {
+    if (mark.tone == Tone::kIgnored) marker.point(mark);
+  }
+  for (const PointMark& mark : annotations.points) {
+    if (mark.tone != Tone::kIgnored) marker.point(mark);
+  }
+  canvas::text(picture, annotations.label, {10, 24},
+               {.height_px = 13, .most_width_px = picture.cols - 20, .outlined = true});
+}
+
+void magnify(const Frame& frame, cv::Mat picture) {
+  cv::resize(canvas::view(frame), picture, picture.size(), 0, 0, cv::INTER_CUBIC);
+}
+
+/// One command on a rail with its neutral in the middle. `sign` is -1 where +1 goes to the left.
+struct Gauge {
+  cv::Mat& image;
+  int left, right, y;
+  double sign;
+
+  [[nodiscard]] int x(double value) const {
+    const double clear = std::isfinite(value) ? std::clamp(sign * value, -1.0, 1.0) : 0.0;
+    return static_cast<int>(std::lround(0.5 * (left + right) + 0.5 * clear * (right - left)));
+  }
+  void rail() const { cv::rectangle(image, {left, y - 4}, {right, y + 4}, kRail, cv::FILLED); }
+  void bar(double value) const {
+    const auto [low, high] = std::minmax(x(0.0), x(value));
+    cv::rectangle(image, {low, y - 4}, {high, y + 4}, kBlue, cv::FILLED);
+    cv::line(image, {x(0.0), y - 7}, {x(0.0), y + 7}, kSoft, 1);
+  }
+  void tick(double value) const {
+    cv::rectangle(image, {x(value) - 1, y - 7}, {x(value) + 1, y + 7}, canvas::kInk, cv::FILLED);
+  }
+  void triangle(double value) const {
+    const int at = x(value);
+    const std::array<cv::Point, 3> corners = {{{at, y + 4}, {at - 6, y + 13}, {at + 6, y + 13}}};
+    cv::fillConvexPoly(image, corners.data(), 3, kGreen, cv::LINE_AA);
+  }
+};
+
+void gauge(cv::Mat& strip, int left, int right, const std::string& name, double sign,
+           double Command::*field, const Hud& hud) {
+  canvas::text(strip, name, {left, 18}, {.height_px = 10, .colour = kSoft});
+  const Gauge gauge{strip, left, right, 34, sign};
+  gauge.rail();
+  gauge.bar(hud.sent.*field);
+  if (hud.wanted) gauge.tick((*hud.wanted).*field);
+  if (hud.teacher) gauge.triangle((*hud.teacher).*field);
+}
+
+void draw_strip(cv::Mat strip, const Hud& hud) {
+  strip.setTo(canvas::kBackground);
+  const int width = strip.cols;
+  const int words = width * 36 / 100;
+  canvas::text(strip, hud.caption, {12, 22}, {.height_px = 11, .most_width_px = words - 20});
+  int x = 12;
+  const auto legend = [&](const char* name, const cv::Scalar& colour) {
+    cv::rectangle(strip, {x, 36}, {x + 7, 43}, colour, cv::FILLED);
+    x += 12 + canvas::text(strip, name, {x + 12, 44}, {.height_px = 9, .colour = kSoft}) + 12;
+  };
+  legend("sent", kBlue);
+  if (hud.wanted) legend("wanted", canvas::kInk);
+  if (hud.teacher) legend("teacher", kGreen);
+  gauge(strip, words + 10, width * 66 / 100, "steering", -1.0, &Command::steering, hud);
+  gauge(strip, width * 70 / 100, width - 14, "throttle", 1.0, &Command::throttle, hud);
+}
+
+void require_scale(int scale) { require(scale >= 1 && scale <= 8, "scale: must be 1 to 8"); }
+
+}  // namespace
+
+ImageSize drawn_size(ImageSize size, int scale) {
+  require_scale(scale);
+  const auto even = [](int side) { return side + side % 2; };
+  return {even(size.width * scale), even(size.height * scale + kStrip)};
+}
+
+void draw(const Frame& frame, const Annotations& annotations, Frame& into, int scale) {
+  require_scale(scale);
+  require(&frame != &into, "draw: a frame cannot be drawn into itself");
+  into.index = frame.index;
+  into.time = frame.time;
+  cv::Mat picture = canvas::resized(into, {frame.size.width * scale, frame.size.height * scale});
+  magnify(frame, picture);
+  draw_marks(picture, annotations, scale);
+}
+
+void draw(const Frame& frame, const Annotations& annotations, const Hud& hud, Frame& into,
+          int scale) {
+  require(&frame != &into, "draw: a frame cannot be drawn into itself");
+  into.index = frame.index;
+  into.time = frame.time;
+  cv::Mat whole = canvas::resized(into, drawn_size(frame.size, scale));
+  whole.setTo(canvas::kBackground);
+  const cv::Rect place(0, 0, frame.size.width * scale, frame.size.height * scale);
+  cv::Mat picture = whole(place);
+  magnify(frame, picture);
+  draw_marks(picture, annotations, scale);
+  draw_strip(whole.rowRange(place.height, whole.rows), hud);
+}
+
+}  // namespace pacer::report
