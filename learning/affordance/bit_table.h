@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "learning/affordance/bit_loops.h"
+
 namespace pacer::affordance {
 
 /// Which transactions (columns) hold which items (rows), a bit each, 64 transactions a word.
@@ -16,6 +18,8 @@ namespace pacer::affordance {
 class BitTable {
  public:
   using Word = std::uint64_t;
+
+  explicit BitTable(const BitLoops& loops = fastest_bit_loops()) noexcept : loops_(&loops) {}
 
   /// `rows` x `columns`, all clear. Keeps its memory.
   void reset(std::size_t rows, std::size_t columns);
@@ -38,11 +42,17 @@ class BitTable {
   void add_shared(std::span<const Word> mask, std::size_t first, std::size_t last, std::size_t rows,
                   std::vector<std::uint32_t>& counts) const;
 
+  /// The rows < `rows` whose count is at least `least`, ascending; `counts` as of add_shared from
+  /// zeros, `least` at least 1.
+  void select_rows(const std::vector<std::uint32_t>& counts, std::uint32_t least, std::size_t rows,
+                   std::vector<std::uint32_t>& to) const;
+
   /// Becomes the given rows of `from`, of the columns that are set in `mask` alone, in order.
   void project(const BitTable& from, std::span<const std::uint32_t> rows,
                std::span<const Word> mask);
 
  private:
+  const BitLoops* loops_;
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
   std::size_t stride_ = 0;  ///< rows, rounded up to eight

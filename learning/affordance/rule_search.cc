@@ -131,25 +131,35 @@ bool RuleSearch::keep_frequent_pairs(std::uint32_t rank, std::span<const std::ui
   return true;
 }
 
+// Calls `visit` with each of `transactions` and its items.
+template <class Visit>
+void RuleSearch::each_transaction(std::span<const std::uint32_t> transactions,
+                                  Visit&& visit) const {
+  constexpr std::size_t kAhead = 12;  // they lie far apart: this many are fetched ahead
+  for (std::size_t i = 0; i < transactions.size(); ++i) {
+    if (i + kAhead < transactions.size()) {
+      __builtin_prefetch(index_.transaction(transactions[i + kAhead]).data());
+    }
+    visit(i, index_.transaction(transactions[i]).data());
+  }
+}
+
 // Counts the items before `rank` in `transactions`, all of which hold it.
 void RuleSearch::add_pairs(std::uint32_t rank, std::span<const std::uint32_t> transactions,
                            Ranks& counts) const {
-  for (const std::uint32_t t : transactions) {
-    for (const Item* other = index_.transaction(t).data(); *other < rank; ++other) {
-      ++counts[*other];
-    }
-  }
+  each_transaction(transactions, [&](std::size_t, const Item* items) {
+    for (; *items < rank; ++items) ++counts[*items];
+  });
 }
 
 // Sets the columns from `column` of `table` for `transactions`, all of which hold prefix_.front().
 void RuleSearch::set_bits(std::span<const std::uint32_t> transactions, std::size_t column,
                           BitTable& table) const {
-  for (const std::uint32_t t : transactions) {
-    for (const Item* other = index_.transaction(t).data(); *other < prefix_.front(); ++other) {
-      if (row_of_[*other] != kNone) table.set(row_of_[*other], column);
+  each_transaction(transactions, [&](std::size_t i, const Item* items) {
+    for (; *items < prefix_.front(); ++items) {
+      if (row_of_[*items] != kNone) table.set(row_of_[*items], column + i);
     }
-    ++column;
-  }
+  });
 }
 
 void RuleSearch::count_others_of_pairs(std::uint32_t rank) {
@@ -210,16 +220,13 @@ void RuleSearch::keep_frequent(Node& node, std::size_t row) {
   node.own.copy_row(row, node.own_mask);
   node.own_counts.assign(padded_rows(row), 0);
   node.own.add_shared(node.own_mask, 0, node.own.words(), row, node.own_counts);
-  node.kept.clear();
-  for (std::uint32_t other = 0; other < row; ++other) {
-    if (node.own_counts[other] >= limits_.min_count && enough_stretches(node, other)) {
-      node.kept.push_back(other);
-    }
+  node.own.select_rows(node.own_counts, limits_.min_count, row, node.kept);
+  if (limits_.min_stretches > 1) {
+    std::erase_if(node.kept, [&](std::uint32_t other) { return !enough_stretches(node, other); });
   }
 }
 
 bool RuleSearch::enough_stretches(const Node& node, std::size_t row) const {
-  if (limits_.min_stretches <= 1) return true;
   std::uint32_t stretches = 0;
   std::uint32_t last = 0;
   for (std::size_t w = 0; w < node.own_mask.size(); ++w) {

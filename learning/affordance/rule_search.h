@@ -65,6 +65,8 @@ class RuleSearch {
 
   void grow_item(std::uint32_t rank);
   bool keep_frequent_pairs(std::uint32_t rank, std::span<const std::uint32_t> own);
+  template <class Visit>
+  void each_transaction(std::span<const std::uint32_t> transactions, Visit&& visit) const;
   void add_pairs(std::uint32_t rank, std::span<const std::uint32_t> transactions,
                  Ranks& counts) const;
   void set_bits(std::span<const std::uint32_t> transactions, std::size_t column,
