@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+#include <vector>
+
+#include "core/frame.h"
+#include "sim/gl_context.h"
+
+namespace pacer::sim {
+
+/// How much work goes into a picture. What a software renderer pays for is passes, not pixels.
+struct RenderConfig {
+  /// `fast`: one pass, for headless teaching. `fine`: smooth edges. `best`: soft shadows and
+  /// reflections too, for pictures to show; an order of magnitude slower on a CPU.
+  std::string quality = "fast";
+
+  /// Throws std::invalid_argument, naming the field.
+  void validate() const;
+
+  template <class Visitor>
+  void fields(Visitor&& visit) {
+    visit("quality", quality);
+  }
+};
+
+/// Draws one model through one of its cameras, with an OpenGL context of its own.
+///
+/// The same model and data give the same bytes on one machine, whatever was drawn before. Use it on
+/// the thread that made it; make it after fork(). Proxies (`kProxy`) are not drawn.
+class Renderer {
+ public:
+  /// `camera` names a camera of `model`. Throws UsageError when there is none of that name, and
+  /// std::runtime_error when there is no OpenGL to draw with, or it cannot draw at this size.
+  Renderer(const mjModel& model, const std::string& camera, ImageSize size,
+           const RenderConfig& config = {});
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Fills the size and pixels of `out`; its buffer is reused. `data` must be up to date (mj_step
+  /// or mj_forward). `model` is the one that the renderer was made for, whose numbers (light,
+  /// camera, colours; not meshes and textures) may have changed since.
+  void render(const mjModel& model, mjData& data, Frame& out);
+
+  /// Also fills `depth` from the same pass: metres along the camera's axis, height x width, top row
+  /// first. The far plane's distance where nothing was drawn.
+  void render(const mjModel& model, mjData& data, Frame& out, std::vector<float>& depth);
+
+  [[nodiscard]] const GlDescription& gl() const noexcept { return context_.description(); }
+  [[nodiscard]] ImageSize size() const noexcept { return size_; }
+
+ private:
+  void draw(const mjModel& model, mjData& data, Frame& out, float* depth);
+
+  GlContext context_;  // first, so that it outlives the buffers drawn into
+  mjvScene scene_{};
+  mjrContext buffers_{};
+  mjvOption shown_{};
+  mjvCamera camera_{};
+  ImageSize size_;
+  std::vector<std::uint8_t> bottom_first_;  // as OpenGL reads it
+  std::vector<float> depth_bottom_first_;
+};
+
+}  // namespace pacer::sim
