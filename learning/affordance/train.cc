@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/affordance/train.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "core/check.h"
+#include "learning/affordance/feature_sample.h"
+#include "learning/affordance/parallel.h"
+#include "learning/affordance/rule_matches.h"
+#include "learning/affordance/rule_selection.h"
+#include "learning/affordance/transactions.h"
+
+namespace pacer::affordance {
+namespace {
+
+/// What the first reading notes of an episode.
+struct Survey {
+  std::vector<Command> commands;  // of every frame
+  std::vector<char> counts;       // whether the frame differs from the ones before
+};
+
+class Trainer {
+ public:
+  Trainer(const Demonstration& demonstration, const AffordanceConfig& config, const Random& random,
+          const TrainingOptions& options)
+      : demonstration_(demonstration), config_(config), random_(random), options_(options) {
+    config.validate();
+    model_.config = config;
+    model_.image_size = demonstration.image_size();
+    model_.frame_rate_hz = demonstration.frame_rate_hz();
+    model_.scenario = options.scenario;
+    model_.fingerprint = demonstration.fingerprint();
+  }
+
+  Training run() {
+    stage("survey", [&] { survey(); });
+    stage("action types", [&] { find_action_types(); });  // 6.3
+    stage("words", [&] { build_words(); });               // 6.5
+    stage("features", [&] { read_features(); });          // 6.5
+    stage("transactions", [&] { build_database(); });     // 6.5.1, 6.5.2
+    stage("rules", [&] { mine(); });                      // 6.5.3
+    stage("mappings", [&] { learn_mappings(); });         // 6.6.1
+    return {std::move(model_), std::move(report_)};
+  }
+
+ private:
+  template <class Work>
+  void stage(const char* name, const Work& work) {
+    stage_ = name;
+    tell(0.0);
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    report_.stages.push_back({name, took.count()});
+    tell(1.0);
+  }
+
+  void tell(double share) {
+    const std::scoped_lock lock(telling_);
+    if (options_.progress) options_.progress(stage_, share);
+  }
+
+  /// Streams every episode, each on one thread: visit(episode, index of the step, step).
+  template <class Visit>
+  void read_episodes(const Visit& visit) {
+    std::atomic<std::size_t> done{0};
+    const std::size_t episodes = demonstration_.episode_count();
+    parallel_for(episodes, options_.jobs, [&](std::size_t episode) {
+      const auto stream = demonstration_.open(episode);
+      std::size_t index = 0;
+      auto step_visit = visit(episode);
+      while (const DemonstratedStep* step = stream->next()) {
+        if (options_.stop.stop_requested()) throw TrainingStopped();
+        if (step->frame->size != model_.image_size) {
+          throw std::runtime_error("episode " + std::to_string(episode) +
+                                   ": a frame's size is not the recording's");
+        }
+        step_visit(index++, *step);
+      }
+      step_visit.finish();
+      tell(static_cast<double>(++done) / static_cast<double>(episodes));
+    });
+  }
+
+  void survey();
+  void find_action_types();
+  void build_words();
+  void read_features();
+  void build_database();
+  void mine();
+  void learn_mappings();
+
+  const Demonstration& demonstration_;
+  const AffordanceConfig& config_;
+  const Random& random_;
+  const TrainingOptions& options_;
+  const char* stage_ = "";
+  std::mutex telling_;
+
+  std::vector<Survey> surveys_;  // an episode each
+  FeatureSample sample_{0};
+  std::vector<FeatureLog> logs_;  // an episode each
+  TransactionDatabase database_;
+  Model model_;
+  TrainingReport report_;
+};
+
+void Trainer::survey() {
+  struct Visit {
+    Trainer& trainer;
+    Survey& survey;
+    ChangeDetector changes;
+    FeatureExtractor extractor;
+    FeatureSample sample;
+    Random random;
+    std::size_t stride;
+    std::size_t counted = 0;
+    std::mutex& merging;
+    Features features{};
+
+    void operator()(std::size_t, const DemonstratedStep& step) {
+      const bool counts = changes.counts(*step.frame, step.command);
+      survey.commands.push_back(step.command);
+      survey.counts.push_back(counts ? 1 : 0);
+      if (!counts || counted++ % stride != 0) return;
+      extractor.extract(*step.frame, features);
+      for (std::size_t i = 0; i < features.count(); ++i) sample.offer(random.next(), features, i);
+    }
+    void finish() {
+      const std::scoped_lock lock(merging);
+      trainer.sample_.merge(sample);
+    }
+  };
+  const double stride = std::round(config_.words.every * model_.frame_rate_hz);
+  const auto samples = static_cast<std::size_t>(config_.words.samples);
+  std::mutex merging;
+  sample_ = FeatureSample(samples);
+  surveys_.resize(demonstration_.episode_count());
+  read_episodes([&](std::size_t episode) {
+    return Visit{.trainer = *this,
+                 .survey = surveys_[episode],
+                 .changes = ChangeDetector(config_.transactions),
+                 .extractor = FeatureExtractor(config_.features),
+                 .sample = FeatureSample(samples),
+                 .random = random_.fork("word sample", episode),
+                 .stride = std::max<std::size_t>(1, static_cast<std::size_t>(stride)),
+                 .merging = merging};
+  });
+}
+
+void Trainer::find_action_types() {
+  std::vector<Command> commands;
+  for (const Survey& survey : surveys_) {
+    commands.insert(commands.end(), survey.commands.begin(), survey.commands.end());
+    report_.frames_counted +=
+        static_cast<std::uint64_t>(std::count(survey.counts.begin(), survey.counts.end(), char{1}));
+  }
+  report_.episodes = surveys_.size();
+  report_.frames = commands.size();
+  if (commands.empty()) throw UsageError("the demonstration holds no frames; record some first");
+  model_.actions = cluster_actions(commands, config_.actions, random_.fork("action types"));
+  if (model_.actions.count() < 2) {
+    throw UsageError(
+        "the demonstration holds one action only, so there is nothing to tell apart; demonstrate "
+        "turns and speeds");
+  }
+}
+
+void Trainer::build_words() {
+  const Features sample = sample_.take();
+  report_.word_samples = sample.count();
+  if (sample.count() == 0) {
+    throw UsageError(
+        "the demonstration's pictures hold no features; see features.top, features.max_size_px and "
+        "features.contrast");
+  }
+  model_.vocabulary = build_vocabulary(sample, config_.words, random_.fork("words"));
+}
+
+void Trainer::read_features() {
+  struct Visit {
+    const Model& model;
+    const Survey& survey;
+    FeatureLog& log;
+    FeatureExtractor extractor;
+    Seconds stretch;
+    Seconds start{};
+    Features features{};
+    Words words{};
+
+    void operator()(std::size_t index, const DemonstratedStep& step) {
+      if (index == 0) start = step.frame->time;
+      check(index < survey.counts.size(), "a recording reads the same twice");
+      if (survey.counts[index] == 0) return;
+      extractor.extract(*step.frame, features);
+      model.vocabulary.label(features, words);
+      const double stretches = std::max(0.0, (step.frame->time - start) / stretch);
+      log.add(features, words, step.command, model.actions.assign(step.command),
+              static_cast<std::uint32_t>(std::min(stretches, 1e9)));
+    }
+    void finish() {}
+  };
+  logs_.resize(demonstration_.episode_count());
+  read_episodes([&](std::size_t episode) {
+    return Visit{.model = model_,
+                 .survey = surveys_[episode],
+                 .log = logs_[episode],
+                 .extractor = FeatureExtractor(config_.features),
+                 .stretch = config_.transactions.stretch};
+  });
+  surveys_.clear();
+  for (const FeatureLog& log : logs_) report_.features += log.poses.count();
+}
+
+void Trainer::build_database() {
+  database_ = build_transactions(logs_, ItemLayout(model_.vocabulary), config_.grid,
+                                 config_.transactions, model_.actions.count());
+  report_.transactions = database_.size();
+  report_.items = database_.items.size();
+  report_.types.resize(static_cast<std::size_t>(model_.actions.count()));
+  for (std::size_t t = 0; t < report_.types.size(); ++t) {
+    report_.types[t].name = model_.actions.names[t];
+    report_.types[t].centre = model_.actions.centre(static_cast<ActionType>(t));
+  }
+  for (const ActionType type : database_.types) ++report_.types[type].transactions;
+  for (const FeatureLog& log : logs_) {
+    for (const ActionType type : log.types) ++report_.types[type].frames;
+  }
+}
+
+void Trainer::mine() {
+  const auto types = static_cast<std::size_t>(model_.actions.count());
+  std::vector<std::vector<Rule>> selected(types);
+  parallel_for(types, options_.jobs, [&](std::size_t t) {
+    if (options_.stop.stop_requested()) throw TrainingStopped();
+    TrainingReport::Type& report = report_.types[t];
+    std::vector<Rule> rules = mine_rules(database_, static_cast<ActionType>(t), config_.mining);
+    report.mined = rules.size();
+    Selection selection = select_rules(database_, std::move(rules), config_.selection);
+    selected[t] = std::move(selection.rules);
+    report.selected = selected[t].size();
+    report.capped = selection.capped;
+  });
+  for (const std::vector<Rule>& rules : selected) {
+    model_.rules.insert(model_.rules.end(), rules.begin(), rules.end());
+  }
+  model_.frequency = item_frequency(database_);
+  database_ = {};
+}
+
+void Trainer::learn_mappings() {
+  const RuleMatcher matcher(model_.rules, model_.frequency);
+  std::vector<EpisodeMatches> matches(logs_.size());
+  parallel_for(logs_.size(), options_.jobs, [&](std::size_t episode) {
+    if (options_.stop.stop_requested()) throw TrainingStopped();
+    matches[episode] = find_matches(logs_[episode], model_.rules, matcher,
+                                    ItemLayout(model_.vocabulary), config_.grid);
+  });
+  const MatchIndex index(matches, model_.rules.size());
+  std::vector<Mapping> mappings(model_.rules.size());
+  parallel_for(model_.rules.size(), options_.jobs, [&](std::size_t r) {
+    if (index.count(r) < static_cast<std::size_t>(config_.mapping.min_matches)) return;
+    const MappingExamples examples = gather_examples(logs_, matches, index, r);
+    mappings[r] = fit_mapping(examples.poses, examples.actions, config_.mapping);
+  });
+
+  std::vector<char> kept(model_.rules.size(), 0);
+  std::vector<Rule> rules;
+  for (std::size_t r = 0; r < model_.rules.size(); ++r) {
+    if (mappings[r].matches == 0) continue;  // too few for a mapping
+    kept[r] = 1;
+    report_.matches += mappings[r].matches;
+    ++report_.types[model_.rules[r].type].kept;
+    rules.push_back(std::move(model_.rules[r]));
+    model_.mappings.push_back(std::move(mappings[r]));
+  }
+  model_.rules = std::move(rules);
+  for (const EpisodeMatches& episode : matches) report_.frames_matched += episode.frames(kept);
+  if (model_.rules.empty()) {
+    throw UsageError(
+        "no rule holds in the demonstration; it is too short or too uniform, or mining.support_"
+        "percent, mining.confidence_percent, mining.min_stretches or mapping.min_matches ask too "
+        "much");
+  }
+  model_.matcher = RuleMatcher(model_.rules, model_.frequency);
+}
+
+}  // namespace
+
+Training train(const Demonstration& demonstration, const AffordanceConfig& config,
+               const Random& random, const TrainingOptions& options) {
+  return Trainer(demonstration, config, random, options).run();
+}
+
+}  // namespace pacer::affordance

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/demonstration.h"
+#include "core/random.h"
+#include "learning/affordance/model.h"
+
+namespace pacer::affordance {
+
+/// What training did, for a person to judge the model by.
+struct TrainingReport {
+  struct Type {
+    std::string name;
+    Command centre;
+    std::uint64_t frames = 0;        ///< of this type, that count
+    std::uint64_t transactions = 0;  ///< of this type
+    std::uint64_t mined = 0;         ///< rules
+    std::uint64_t selected = 0;      ///< of them
+    std::uint64_t kept = 0;          ///< of them, with matches enough for a mapping
+    std::string capped;              ///< what limit cut the rules; empty when none did
+  };
+  std::uint64_t episodes = 0;
+  std::uint64_t frames = 0;          ///< read
+  std::uint64_t frames_counted = 0;  ///< that differ from the ones before; see ChangeDetector
+  std::uint64_t features = 0;        ///< in those
+  std::uint64_t word_samples = 0;    ///< features that the words were clustered from
+  std::uint64_t transactions = 0;
+  std::uint64_t items = 0;  ///< in all transactions
+  std::uint64_t matches = 0;
+  std::uint64_t frames_matched = 0;  ///< of those counted, with at least one match of a kept rule
+  std::vector<Type> types;
+  struct Stage {
+    std::string name;
+    double seconds = 0.0;
+  };
+  std::vector<Stage> stages;  ///< in order; measured, so never the same twice
+};
+
+struct TrainingOptions {
+  int jobs = 1;          ///< threads; the model does not depend on it
+  std::string scenario;  ///< the text that the model keeps
+  std::stop_token stop;  ///< when requested, training ends with TrainingStopped
+  /// Hears the stage and how much of it is done, 0 to 1. Calls come one at a time, from any thread.
+  std::function<void(std::string_view stage, double share)> progress;
+};
+
+/// Training was asked to end before it had a model.
+struct TrainingStopped : std::runtime_error {
+  TrainingStopped() : std::runtime_error("training was stopped") {}
+};
+
+struct Training {
+  Model model;
+  TrainingReport report;
+};
+
+/// Learns a model from `demonstration` (chapter 6). Reads it twice, an episode a thread, and keeps
+/// of it no more than the features of the frames that count, as words.
+///
+/// The same demonstration, config and random: the same model.
+/// Throws UsageError when there is nothing to learn from: no frames, one action only, no features,
+/// or no rule that holds; std::invalid_argument when `config` is not valid; TrainingStopped; and
+/// whatever the demonstration throws.
+[[nodiscard]] Training train(const Demonstration& demonstration, const AffordanceConfig& config,
+                             const Random& random, const TrainingOptions& options = {});
+
+}  // namespace pacer::affordance

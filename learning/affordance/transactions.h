@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/command.h"
+#include "core/frame.h"
+#include "learning/affordance/configuration.h"
+#include "learning/affordance/transaction.h"
+
+namespace pacer::affordance {
+
+/// Which frames, and how many of their configurations, become transactions (6.5.2).
+struct TransactionConfig {
+  int wanted = 100000;          ///< about so many transactions, of evenly thinned frames
+  double picture_change = 1.5;  ///< grey levels; see ChangeDetector
+  double action_change = 0.05;  ///< of full stick; see ChangeDetector
+  Seconds stretch{3.0};         ///< frames within one such stretch of an episode are one witness
+
+  /// Throws std::invalid_argument, naming the field.
+  void validate() const;
+
+  template <class Visitor>
+  void fields(Visitor&& visit) {
+    visit("wanted", wanted);
+    visit("picture_change", picture_change);
+    visit("action_change", action_change);
+    visit("stretch_s", stretch);
+  }
+};
+
+/// Tells frames that say something new from copies: a standing car repeats one picture 25 times a
+/// second, and at a few copies every subset of its items would look like a perfect rule.
+///
+/// The picture is averaged over kColumns x kRows blocks (mean of its three channels); it has
+/// changed when the mean absolute difference of the blocks from those of the last frame that
+/// counted exceeds `picture_change` grey levels. The action has changed when either stick moved
+/// by more than `action_change` since then. A frame counts when either has; the first does.
+class ChangeDetector {
+ public:
+  explicit ChangeDetector(const TransactionConfig& config) noexcept : config_(config) {}
+
+  /// Whether `frame` and `command` count; if so, later ones are compared with them.
+  [[nodiscard]] bool counts(const Frame& frame, const Command& command);
+
+ private:
+  static constexpr int kColumns = 20;
+  static constexpr int kRows = 15;
+
+  TransactionConfig config_;
+  bool first_ = true;
+  std::array<float, kColumns * kRows> blocks_{};
+  Command command_;
+};
+
+/// What training keeps of one episode: the features of the frames that count, as words.
+struct FeatureLog {
+  std::vector<std::uint32_t> offsets = {0};  ///< frame f has features offsets[f] .. offsets[f + 1]
+  Poses poses;
+  Words words;
+  std::vector<Command> commands;         ///< one a frame
+  std::vector<ActionType> types;         ///< one a frame
+  std::vector<std::uint32_t> stretches;  ///< one a frame, from 0 in each episode
+
+  [[nodiscard]] std::size_t frame_count() const noexcept { return commands.size(); }
+  [[nodiscard]] LabelledFeatures frame(std::size_t f) const {
+    return {poses, words, offsets[f], offsets[f + 1] - offsets[f]};
+  }
+  void add(const Features& features, const Words& labels, const Command& command, ActionType type,
+           std::uint32_t stretch);
+};
+
+/// The transactions of evenly thinned frames of `episodes`, about `config.wanted` of them, in the
+/// order of the recording. Configurations of a single neighbour or none are left out: no rule
+/// could be drawn from them. Stretches are numbered through all episodes.
+[[nodiscard]] TransactionDatabase build_transactions(std::span<const FeatureLog> episodes,
+                                                     const ItemLayout& layout,
+                                                     const GridConfig& grid,
+                                                     const TransactionConfig& config,
+                                                     int type_count);
+
+}  // namespace pacer::affordance
