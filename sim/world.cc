@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/channels.h"
+#include "core/check.h"
+
+namespace pacer::sim {
+namespace {
+
+constexpr const char* kFloor = "floor";  // build_room's name for it
+constexpr int kRooms = 6;                // tried before a world is given up
+constexpr Seconds kSettle{0.25};         // until the cars stand still on their wheels
+constexpr Seconds kLeadReaction{0.04};   // between two decisions of the lead's driver
+
+/// Fast and stable for wheels on a floor: an elliptic cone, stiffer along the floor than across it,
+/// keeps tyres from creeping.
+void choose_physics(mjOption& option, Seconds time_step) {
+  option.timestep = time_step.count();
+  option.integrator = mjINT_IMPLICITFAST;
+  option.cone = mjCONE_ELLIPTIC;
+  option.impratio = 5.0;
+}
+
+/// A floor with a pattern, and light from above.
+RoomPlan bare_room(mjSpec& spec, const RoomConfig& config) {
+  const Eigen::Vector2d half{0.5 * config.length.middle(), 0.5 * config.width.middle()};
+  mjsBody* const world = mjs_findBody(&spec, "world");
+  mjsTexture* const texture = mjs_addTexture(&spec, nullptr);
+  mjs_setName(texture->element, "bare_floor");
+  texture->type = mjTEXTURE_2D;
+  texture->builtin = mjBUILTIN_CHECKER;
+  texture->width = texture->height = 128;
+  std::ranges::fill(texture->rgb1, 0.62);
+  std::ranges::fill(texture->rgb2, 0.45);
+  mjsMaterial* const material = mjs_addMaterial(&spec, nullptr);
+  mjs_setName(material->element, "bare_floor");
+  mjs_setInStringVec(material->textures, mjTEXROLE_RGB, "bare_floor");
+  material->texrepeat[0] = material->texrepeat[1] = 2.0F;
+  material->texuniform = 1;
+  mjsGeom* const floor = mjs_addGeom(world, nullptr);
+  mjs_setName(floor->element, kFloor);
+  floor->type = mjGEOM_PLANE;
+  floor->size[0] = half.x();
+  floor->size[1] = half.y();
+  floor->size[2] = 1.0;
+  mjs_setString(floor->material, "bare_floor");
+  mjsLight* const light = mjs_addLight(world, nullptr);
+  light->pos[2] = 3.0;
+  light->castshadow = 0;
+  return {.kind = "bare", .half_extent = half, .obstacles = {}};
+}
+
+}  // namespace
+
+void WorldConfig::validate() const {
+  room.validate();
+  car.validate();
+  lead_car.validate();
+  route.validate();
+  lead_driver.validate();
+  mount.validate();
+}
+
+World::World(const WorldConfig& config, Seconds time_step, double fovy, const Random& random) {
+  const Spec spec = furnish(config, random);
+  choose_physics(spec->option, time_step);
+
+  const Random car_random = random.fork("car");
+  const Random lead_random = random.fork("lead");
+  add_vehicle(*spec, "car/", kFloor, config.car, car_random);
+  mjsCamera* const camera = mjs_asCamera(mjs_findElement(spec.get(), mjOBJ_CAMERA, kCamera));
+  check(camera != nullptr, "models/car.xml has a camera named driver");
+  mount_camera(*camera, config.mount, random.fork("mount"));
+  camera->fovy = fovy;
+  if (config.lead) add_vehicle(*spec, "lead/", kFloor, config.lead_car, lead_random);
+
+  compile(*spec);
+  camera_ = mj_name2id(model_.get(), mjOBJ_CAMERA, kCamera);
+  car_.emplace(*model_, "car/", config.car, car_random);
+  if (config.lead) {
+    lead_.emplace(*model_, "lead/", config.lead_car, lead_random);
+    lead_driver_.emplace(config.lead_driver, route_);
+    lead_period_ = std::max(1L, std::lround(kLeadReaction / time_step));
+  }
+  settle(config);
+}
+
+World::Spec World::furnish(const WorldConfig& config, const Random& random) {
+  for (int attempt = 0;; ++attempt) {
+    Spec spec{mj_makeSpec()};
+    const Random room = random.fork("room", static_cast<std::uint64_t>(attempt));
+    plan_ = config.furnished ? build_room(*spec, config.room, room) : bare_room(*spec, config.room);
+    if (!config.furnished && !config.lead) return spec;
+    try {
+      route_ = plan_route(config.route, plan_, room.fork("route"));
+      return spec;
+    } catch (const std::runtime_error&) {
+      if (attempt + 1 == kRooms) throw;  // this room is too crowded: the next one
+    }
+  }
+}
+
+void World::compile(mjSpec& spec) {
+  model_.reset(mj_compile(&spec, nullptr));
+  if (!model_) {
+    throw std::runtime_error("the simulated room does not compile: " +
+                             std::string(mjs_getError(&spec)));
+  }
+  data_.reset(mj_makeData(model_.get()));
+  if (!data_) throw std::runtime_error("no memory for the simulation of one room");
+}
+
+void World::settle(const WorldConfig& config) {
+  car_->place(*data_, route_.points.empty() ? FloorPose{} : route_.follower_start());
+  if (config.lead) lead_->place(*data_, route_.lead_start());
+  for (Seconds past{}; past < kSettle; past += Seconds{model_->opt.timestep}) {
+    mj_step(model_.get(), data_.get());
+  }
+}
+
+void World::observe() { mj_step1(model_.get(), data_.get()); }
+
+void World::advance(const Pulses& pulses) {
+  car_->actuate(*data_, pulses);
+  if (lead_) {
+    if (step_ % lead_period_ == 0) lead_pulses_ = drive_lead();
+    lead_->actuate(*data_, lead_pulses_);
+  }
+  mj_step2(model_.get(), data_.get());
+  ++step_;
+  for (const mjtWarning kind : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
+    if (data_->warning[kind].number > 0) {
+      throw std::runtime_error("the simulation became unstable: " +
+                               std::string(mju_warningText(kind, 0)));
+    }
+  }
+}
+
+Pulses World::drive_lead() {
+  const Seconds period{static_cast<double>(lead_period_) * model_->opt.timestep};
+  const Command command =
+      lead_driver_->act(lead_->pose(*data_), lead_->speed(*data_), step_ == 0 ? Seconds{} : period);
+  return Channels{}.encode(command);
+}
+
+}  // namespace pacer::sim

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/random.h"
+#include "core/units.h"
+#include "sim/camera_mount.h"
+#include "sim/lead_driver.h"
+#include "sim/room.h"
+#include "sim/route.h"
+#include "sim/vehicle.h"
+
+namespace pacer::sim {
+
+/// What there is, and how it varies from episode to episode.
+struct WorldConfig {
+  bool furnished = true;  ///< false: a bare floor of the room's size
+  bool lead = true;       ///< false: the car is alone
+  bool balloons = true;   ///< a red and a green one
+  RoomConfig room;
+  VehicleConfig car;
+  VehicleConfig lead_car;
+  RouteConfig route;
+  LeadDriverConfig lead_driver;
+  CameraMountConfig mount;
+
+  /// Throws std::invalid_argument, naming the field.
+  void validate() const;
+
+  template <class Visitor>
+  void fields(Visitor&& visit) {
+    visit("furnished", furnished);
+    visit("lead", lead);
+    visit("balloons", balloons);
+    visit("room", room);
+    visit("car", car);
+    visit("lead_car", lead_car);
+    visit("route", route);
+    visit("lead_driver", lead_driver);
+    visit("mount", mount);
+  }
+};
+
+/// One episode's world: a room, the car that is driven ("car/...", with its camera "car/driver"),
+/// and the lead ("lead/...") with its driver. It knows nothing of frames and delays.
+class World {
+ public:
+  /// `time_step` of the physics; `fovy` of the camera, degrees. Throws std::runtime_error when no
+  /// room and route come together.
+  World(const WorldConfig& config, Seconds time_step, double fovy, const Random& random);
+
+  /// Brings positions, velocities and contacts up to date with the present state. Everything below
+  /// may be asked for after it, and before advance().
+  void observe();
+  /// One time step on, with what the car's receiver gets now. Throws std::runtime_error when the
+  /// physics has become unstable.
+  void advance(const Pulses& pulses);
+
+  [[nodiscard]] const mjModel& model() const noexcept { return *model_; }
+  [[nodiscard]] mjData& data() noexcept { return *data_; }
+  [[nodiscard]] const mjData& data() const noexcept { return *data_; }
+  [[nodiscard]] const RoomPlan& plan() const noexcept { return plan_; }
+  [[nodiscard]] int camera() const noexcept { return camera_; }
+  [[nodiscard]] const Vehicle& car() const noexcept { return *car_; }
+  /// nullptr where there is none.
+  [[nodiscard]] const Vehicle* lead() const noexcept { return lead_ ? &*lead_ : nullptr; }
+
+  static constexpr const char* kCamera = "car/driver";
+
+ private:
+  struct Delete {
+    void operator()(mjSpec* spec) const noexcept { mj_deleteSpec(spec); }
+    void operator()(mjModel* model) const noexcept { mj_deleteModel(model); }
+    void operator()(mjData* data) const noexcept { mj_deleteData(data); }
+  };
+  using Spec = std::unique_ptr<mjSpec, Delete>;
+
+  [[nodiscard]] Spec furnish(const WorldConfig& config, const Random& random);
+  void compile(mjSpec& spec);
+  void settle(const WorldConfig& config);
+  [[nodiscard]] Pulses drive_lead();
+
+  RoomPlan plan_;
+  Route route_;
+  std::unique_ptr<mjModel, Delete> model_;
+  std::unique_ptr<mjData, Delete> data_;
+  int camera_ = -1;
+  std::optional<Vehicle> car_;
+  std::optional<Vehicle> lead_;
+  std::optional<LeadDriver> lead_driver_;
+  Pulses lead_pulses_;
+  std::int64_t step_ = 0;
+  std::int64_t lead_period_ = 1;  // steps between two decisions of the lead's driver
+};
+
+}  // namespace pacer::sim
