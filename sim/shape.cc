@@ -122,6 +122,17 @@ void Shape::rectangle(const Vector& corner, const Vector& right, const Vector& u
   }
 }
 
+void Shape::quad(const std::array<Vector, 4>& corners, const Skin& skin,
+                 const std::array<std::array<float, 2>, 4>& at) {
+  const Vector normal = (corners[1] - corners[0]).cross(corners[3] - corners[0]).normalized();
+  std::array<int, 4> made{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    made.at(i) = vertex(corners.at(i), normal, skin.texels.x + at.at(i)[0] * skin.texels.width,
+                        skin.texels.y + at.at(i)[1] * skin.texels.height);
+  }
+  faces_.insert(faces_.end(), {made[0], made[1], made[2], made[0], made[2], made[3]});
+}
+
 void Shape::box(const Vector& centre, const Vector& half, const BoxSkins& skins, double yaw) {
   const Vector x = half.x() * Vector(std::cos(yaw), std::sin(yaw), 0.0);
   const Vector y = half.y() * Vector(-std::sin(yaw), std::cos(yaw), 0.0);

@@ -4,6 +4,8 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -62,6 +64,10 @@ class Shape {
 
   /// A rectangle from its bottom-left `corner`, seen from the side that shows.
   void rectangle(const Vector& corner, const Vector& right, const Vector& up, const Skin& skin);
+  /// Any flat quadrangle, counter-clockwise as it is seen; `at` says where in the skin, (0, 0) its
+  /// top left and (1, 1) its bottom right, each corner lies.
+  void quad(const std::array<Vector, 4>& corners, const Skin& skin,
+            const std::array<std::array<float, 2>, 4>& at);
   /// A box, turned by `yaw` about its vertical axis.
   void box(const Vector& centre, const Vector& half, const BoxSkins& skins, double yaw = 0.0);
   /// An upright cylinder or cone on `base`; its mantle wears `side`, once around.
