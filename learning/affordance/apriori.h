@@ -8,8 +8,9 @@
 
 namespace pacer::affordance {
 
-/// What makes an association rule (6.5.3). The thesis's thresholds are percent; they are read to
-/// seven decimals and compared as integers, so that 0.02 % of 100,000 is 20 and 99 of 100 is 99 %.
+/// What makes an association rule (6.5.3). The thesis's thresholds are percent. A support is
+/// rounded up to transactions, without the rounding error of its double: 0.02 % of 100,000 is 20,
+/// and 99 of 100 are 99 %.
 struct AprioriConfig {
   double support_percent = 0.02;     ///< of all transactions, rounded up to a count
   double confidence_percent = 99.0;  ///< supp(X u Y) / supp(X), at least
@@ -17,7 +18,7 @@ struct AprioriConfig {
   int max_items = 10;                ///< counting the action type
   int min_stretches = 1;             ///< distinct stretches of time that must support a rule
   /// false: only the rules that have no other rule among their subsets, whatever the order of the
-  /// search. Support only falls as a set grows, so these are the least confident sets.
+  /// search. What holds one of them says nothing new.
   bool grow_confident = true;
 
   /// Throws std::invalid_argument, naming the field.

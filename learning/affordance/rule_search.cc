@@ -12,31 +12,31 @@ namespace pacer::affordance {
 namespace {
 
 constexpr std::uint32_t kNone = ~0U;
-constexpr std::uint64_t kBillion = 1'000'000'000;
-
-std::uint64_t billionths(double percent) {
-  return static_cast<std::uint64_t>(std::llround(percent * 1e7));
-}
+// A percent and what is counted by it come from decimals or quotients, whose doubles are off by a
+// few parts in 10^16: that must not cost or give a transaction.
+constexpr double kSlack = 1e-12;
 
 }  // namespace
 
 Thresholds::Thresholds(const AprioriConfig& config, std::size_t transactions)
-    : confidence_billionths(billionths(config.confidence_percent)),
+    : confidence(config.confidence_percent / 100.0),
       min_items(static_cast<std::size_t>(config.min_items - 1)),
       max_items(static_cast<std::size_t>(config.max_items - 1)),
       min_stretches(static_cast<std::uint32_t>(config.min_stretches)),
       grow_confident(config.grow_confident) {
-  const std::uint64_t product = transactions * billionths(config.support_percent);
-  min_count =
-      static_cast<std::uint32_t>(std::max<std::uint64_t>((product + kBillion - 1) / kBillion, 1));
+  const double wanted = config.support_percent / 100.0 * static_cast<double>(transactions);
+  min_count = static_cast<std::uint32_t>(std::max(std::ceil(wanted * (1.0 - kSlack)), 1.0));
 }
 
 std::uint32_t Thresholds::others_allowed(std::uint32_t count) const noexcept {
   // count / (count + others) >= confidence
-  constexpr std::uint64_t kAll = std::numeric_limits<std::uint32_t>::max();
-  if (confidence_billionths == 0) return kAll;
-  return static_cast<std::uint32_t>(
-      std::min(kAll, count * (kBillion - confidence_billionths) / confidence_billionths));
+  constexpr double kMost = std::numeric_limits<std::uint32_t>::max();
+  const double holding = std::floor(count / confidence * (1.0 + kSlack));
+  return static_cast<std::uint32_t>(std::min(holding, kMost)) - count;
+}
+
+double support_percent_of(std::uint32_t count, std::size_t transactions) noexcept {
+  return std::min(100.0 * count / static_cast<double>(transactions), 100.0);
 }
 
 RuleSearch::RuleSearch(const TransactionIndex& index, const Thresholds& thresholds, Found found)

@@ -14,20 +14,23 @@
 
 namespace pacer::affordance {
 
-/// The thresholds of AprioriConfig as integers, for a database of some size.
+/// The thresholds of AprioriConfig for a database of some size.
 struct Thresholds {
   Thresholds(const AprioriConfig& config, std::size_t transactions);
 
-  std::uint32_t min_count;              ///< at least 1
-  std::uint64_t confidence_billionths;  ///< of one
-  std::size_t min_items;                ///< without the action type
-  std::size_t max_items;                ///< without the action type
+  std::uint32_t min_count;  ///< at least 1
+  double confidence;        ///< a fraction of one
+  std::size_t min_items;    ///< without the action type
+  std::size_t max_items;    ///< without the action type
   std::uint32_t min_stretches;
   bool grow_confident;
 
   /// How many transactions of other types may hold the items of a rule that `count` support.
   [[nodiscard]] std::uint32_t others_allowed(std::uint32_t count) const noexcept;
 };
+
+/// The percent that Thresholds reads as `count` of `transactions`; 100 if there are fewer.
+[[nodiscard]] double support_percent_of(std::uint32_t count, std::size_t transactions) noexcept;
 
 /// The depth-first search for the rules of one action type.
 ///

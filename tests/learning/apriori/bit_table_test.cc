@@ -15,8 +15,8 @@ struct PlainTable {
   std::vector<std::vector<bool>> rows;
   BitTable bits;
 
-  PlainTable(std::size_t row_count, std::size_t columns, Random& random)
-      : rows(row_count, std::vector<bool>(columns)) {
+  PlainTable(std::size_t row_count, std::size_t columns, const BitLoops& loops, Random& random)
+      : rows(row_count, std::vector<bool>(columns)), bits(loops) {
     bits.reset(row_count, columns);
     const double density = random.uniform(0.0, 1.0);
     for (std::size_t row = 0; row < row_count; ++row) {
@@ -29,11 +29,15 @@ struct PlainTable {
   }
 };
 
-TEST(BitTable, CountsTheBitsThatTwoRowsShare) {
+/// With each kind of loop that this processor has.
+class BitTables : public ::testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(OfEachKind, BitTables, ::testing::Range<std::size_t>(0, bit_loop_count()));
+
+TEST_P(BitTables, CountsTheBitsThatTwoRowsShare) {
   Random random(1);
   for (int trial = 0; trial < 50; ++trial) {
-    const std::size_t columns = 1 + random.below(300);
-    const PlainTable table(2 + random.below(40), columns, random);
+    const std::size_t columns = 1 + random.below(trial % 5 == 0 ? 5000 : 300);
+    const PlainTable table(2 + random.below(90), columns, bit_loops(GetParam()), random);
     const std::size_t row = 1 + random.below(table.rows.size() - 1);
     std::vector<BitTable::Word> mask;
     table.bits.copy_row(row, mask);
@@ -51,18 +55,37 @@ TEST(BitTable, CountsTheBitsThatTwoRowsShare) {
   }
 }
 
-TEST(BitTable, ProjectsTheAskedRowsOntoTheColumnsOfAMask) {
+TEST_P(BitTables, SelectsTheRowsOfEnoughCount) {
+  Random random(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    const PlainTable table(100, 1, bit_loops(GetParam()), random);
+    const std::size_t rows = 1 + random.below(99);
+    std::vector<std::uint32_t> counts(padded_rows(rows));
+    for (std::uint32_t& count : counts) {
+      count = random.chance(0.8) ? 0 : static_cast<std::uint32_t>(random.below(6) << 30);
+    }
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+      if (counts[row] >= 3U << 30) expected.push_back(row);
+    }
+    std::vector<std::uint32_t> selected = {1, 2, 3};
+    table.bits.select_rows(counts, 3U << 30, rows, selected);
+    ASSERT_EQ(selected, expected);
+  }
+}
+
+TEST_P(BitTables, ProjectsTheAskedRowsOntoTheColumnsOfAMask) {
   Random random(2);
   for (int trial = 0; trial < 200; ++trial) {
     const std::size_t columns = 1 + random.below(400);
-    const PlainTable table(2 + random.below(20), columns, random);
+    const PlainTable table(2 + random.below(20), columns, bit_loops(GetParam()), random);
     std::vector<std::uint32_t> rows;
     for (std::uint32_t row = 0; row < table.rows.size(); ++row) {
       if (random.chance(0.5)) rows.push_back(row);
     }
     std::vector<BitTable::Word> mask;
     table.bits.copy_row(table.rows.size() - 1, mask);
-    BitTable projected;
+    BitTable projected(bit_loops(GetParam()));
     projected.reset(3, 1000);  // what was there before does not matter
     projected.project(table.bits, rows, mask);
     ASSERT_EQ(projected.rows(), rows.size());
