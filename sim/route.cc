@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "core/check.h"
+#include "sim/pursuer.h"
 
 namespace pacer::sim {
 
@@ -54,7 +55,7 @@ RoutePoint Route::at(double distance) const noexcept {
 
 namespace {
 
-constexpr double kTick = 0.04;  // seconds
+constexpr double kTick = Pursuer::kTick;
 
 /// The lead as the plan has it: exactly on the route, exactly at its speed.
 class IdealLead {
@@ -87,41 +88,6 @@ class IdealLead {
   std::size_t next_ = 0;
   double stood_ = 0.0;
   double left_ = 0.0, right_ = 0.0;
-};
-
-/// Steers towards where the lead was a moment ago and keeps its distance, within what a car can.
-class Pursuer {
- public:
-  explicit Pursuer(const FloorPose& start) : pose_(start) {}
-
-  void advance(const FloorPose& lead) {
-    constexpr std::size_t kLate = 10;      // ticks from shutter to wheels: image, reaction, servo
-    constexpr double kSharpest = 1 / 0.6;  // 1/m
-    constexpr double kPace = 0.35;         // seconds that its speed takes to change
-    seen_.push_back({bearing(lead), (lead.position - pose_.position).norm()});
-    const Sight sight = seen_.front();
-    if (seen_.size() > kLate) seen_.pop_front();
-    const double curvature = std::clamp(2.5 * sight.bearing, -kSharpest, kSharpest);
-    const double wanted = std::clamp(1.1 * (sight.distance - 0.70), 0.0, 1.0);
-    speed_ += (wanted - speed_) * kTick / kPace;
-    pose_.yaw = wrapped(pose_.yaw + 0.5 * speed_ * curvature * kTick);
-    pose_.position += speed_ * kTick * pose_.ahead();
-    pose_.yaw = wrapped(pose_.yaw + 0.5 * speed_ * curvature * kTick);
-  }
-
-  [[nodiscard]] double bearing(const FloorPose& lead) const {
-    const Eigen::Vector2d offset = lead.position - pose_.position;
-    return wrapped(std::atan2(offset.y(), offset.x()) - pose_.yaw);
-  }
-  [[nodiscard]] const FloorPose& pose() const { return pose_; }
-
- private:
-  struct Sight {
-    double bearing, distance;
-  };
-  FloorPose pose_;
-  double speed_ = 0.0;
-  std::deque<Sight> seen_;
 };
 
 /// The least clearance along the way from `a` to `b`, ends included.

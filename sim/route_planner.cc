@@ -5,12 +5,18 @@
 #include <optional>
 #include <stdexcept>
 
+#include "sim/pursuer.h"
 #include "sim/route.h"
 
 namespace pacer::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
+
+// What a follower must be spared.
+constexpr double kWidest = 33.0 * kDegree;   // off the axis: the lead stays in the picture
+constexpr double kNearest = 0.60;            // metres, middle to middle
+constexpr double kFollowerClearance = 0.36;  // metres: half a car and a hand's breadth
 
 /// A stretch of way: curvature goes to `curvature` as fast as it may and stays.
 struct Stretch {
@@ -28,25 +34,37 @@ class WayLayer {
   /// A way of `length` metres, or nothing where it was led astray too often.
   std::optional<std::vector<RoutePoint>> lay(double length) {
     if (!begin()) return std::nullopt;
-    constexpr int kEffort = 1500;  // stretches tried
+    constexpr int kEffort = 4000;  // stretches tried
     constexpr int kPatience = 8;   // of them at one place
     int refused = 0;
+    std::size_t farthest = 0;  // points
+    std::size_t back = 1;      // stretches: the deeper the trap, the more
     for (int effort = 0; effort < kEffort; ++effort) {
       if (step_ * static_cast<double>(points_.size()) > length) return points_;
       if (extend(draw())) {
         refused = 0;
+        if (points_.size() > farthest) back = 1;
+        farthest = std::max(farthest, points_.size());
       } else if (++refused > kPatience) {
         refused = 0;
-        take_back(1 + static_cast<std::size_t>(random_.below(4)));
+        if (back >= starts_.size()) return std::nullopt;  // nothing leads on from here
+        take_back(back);
+        back = std::min<std::size_t>(back + 1, 8);
       }
     }
     return std::nullopt;
   }
 
  private:
+  struct Follower {
+    Pursuer car;
+    double time;  // seconds that the lead is ahead of it
+  };
+
   bool begin() {
     points_.clear();
     starts_.clear();
+    followers_.clear();
     RoutePoint start;
     for (int i = 0; i < 50; ++i) {
       for (int axis : {0, 1}) {
@@ -56,6 +74,7 @@ class WayLayer {
       start.pose.yaw = random_.uniform(-std::numbers::pi, std::numbers::pi);
       if (clearance(plan_, start.pose.position) < room_) continue;
       points_ = {start};
+      followers_.assign(1, Follower{Pursuer(start.pose), 0.0});
       // The first stretch is nearly straight: both cars stand on it, and the follower looks ahead.
       if (extend({random_.uniform(-0.15, 0.15), config_.gap + 0.3})) return true;
     }
@@ -63,23 +82,41 @@ class WayLayer {
   }
 
   Stretch draw() {
-    const double lean = points_.back().pose.yaw;  // unwrapped: all that was turned so far
-    const double to_left = std::clamp(0.5 - 0.12 * (lean - points_.front().pose.yaw), 0.15, 0.85);
+    const FloorPose& here = points_.back().pose;  // yaw unwrapped: all that was turned so far
+    const double turned = here.yaw - points_.front().pose.yaw;
+    double to_left = std::clamp(0.5 - 0.12 * turned, 0.15, 0.85);
+    const double sharpest = 1.0 / config_.radius;
+    // Towards a wall: away from it, to the freer side.
+    constexpr double kAhead = 1.2;  // metres
+    if (clearance(plan_, here.position + kAhead * here.ahead()) < room_) {
+      const double free_left = free_towards(here, 1.0);
+      const double free_right = free_towards(here, -1.0);
+      if (std::abs(free_left - free_right) > 0.2) to_left = free_left > free_right ? 0.9 : 0.1;
+      const double side = random_.chance(to_left) ? 1.0 : -1.0;
+      return {side * random_.uniform(0.55, 1.0) * sharpest, random_.uniform(0.5, 1.8)};
+    }
     const double side = random_.chance(to_left) ? 1.0 : -1.0;
     const double kind = random_.uniform(0.0, 1.0);
-    const double sharpest = 1.0 / config_.radius;
-    if (kind < 0.25) return {random_.uniform(-0.1, 0.1), random_.uniform(0.4, 1.4)};
+    if (kind < 0.30) return {random_.uniform(-0.1, 0.1), random_.uniform(0.4, 1.4)};
     if (kind < 0.45) {
-      return {side * sharpest, random_.uniform(100.0, 170.0) * kDegree * config_.radius};
+      return {side * sharpest, random_.uniform(90.0, 150.0) * kDegree * config_.radius};
     }
-    return {side * random_.uniform(0.15, 0.9) * sharpest, random_.uniform(0.5, 1.6)};
+    return {side * random_.uniform(0.15, 0.85) * sharpest, random_.uniform(0.5, 2.0)};
   }
 
-  /// False, and nothing laid, where the stretch leaves the free floor or meets the follower.
+  /// How much room there is where a bend to that side leads.
+  [[nodiscard]] double free_towards(const FloorPose& here, double side) const {
+    const Eigen::Vector2d ahead = here.ahead();
+    const Eigen::Vector2d aside(-side * ahead.y(), side * ahead.x());
+    return clearance(plan_, here.position + 0.8 * ahead + 1.2 * aside);
+  }
+
+  /// False, and nothing laid, where the stretch leaves the free floor or shakes the follower off.
   bool extend(const Stretch& stretch) {
     const std::size_t start = points_.size();
     const auto count = static_cast<std::size_t>(stretch.length / step_) + 1;
     const double change = config_.sharpness * step_;
+    Follower follower = followers_.back();
     for (std::size_t i = 0; i < count; ++i) {
       RoutePoint point = points_.back();
       const double old_curvature = point.curvature;
@@ -88,33 +125,39 @@ class WayLayer {
       point.pose.yaw += 0.5 * turn;
       point.pose.position += step_ * point.pose.ahead();
       point.pose.yaw += 0.5 * turn;
-      if (clearance(plan_, point.pose.position) < room_ || meets_follower(point)) {
+      if (clearance(plan_, point.pose.position) < room_ || !follows(follower, point)) {
         points_.resize(start);
         return false;
       }
       points_.push_back(point);
     }
     starts_.push_back(start);
+    followers_.push_back(follower);
     return true;
   }
 
-  /// Whether `point` comes back to where the follower is when the lead is there.
-  [[nodiscard]] bool meets_follower(const RoutePoint& point) const {
-    constexpr double kApart = 0.8;              // metres
-    constexpr double kNear = 1.0, kLate = 3.4;  // metres of way behind the lead
-    const auto near = static_cast<std::size_t>(kNear / step_);
-    const auto late = static_cast<std::size_t>(kLate / step_);
-    for (std::size_t back = near; back < std::min(late, points_.size()); back += 3) {
-      const RoutePoint& there = points_[points_.size() - back];
-      if ((there.pose.position - point.pose.position).norm() < kApart) return true;
+  /// Lets the follower go on while the lead goes to `point`; whether it still follows.
+  [[nodiscard]] bool follows(Follower& follower, const RoutePoint& point) const {
+    if (step_ * static_cast<double>(points_.size()) < config_.gap) return true;  // not yet off
+    const double bend = std::max(std::abs(point.curvature), 1e-6);
+    const double speed = std::min(config_.speed.middle(), std::sqrt(config_.sideways / bend));
+    for (follower.time += step_ / speed; follower.time > 0.0; follower.time -= Pursuer::kTick) {
+      follower.car.advance(point.pose);
+      const Eigen::Vector2d at = follower.car.pose().position;
+      if (std::abs(follower.car.bearing(point.pose)) > kWidest ||
+          (point.pose.position - at).norm() < kNearest ||
+          clearance(plan_, at) < kFollowerClearance) {
+        return false;
+      }
     }
-    return false;
+    return true;
   }
 
   void take_back(std::size_t stretches) {
     while (stretches-- > 0 && starts_.size() > 1) {  // never the first
       points_.resize(starts_.back());
       starts_.pop_back();
+      followers_.pop_back();
     }
   }
 
@@ -125,6 +168,7 @@ class WayLayer {
   Random& random_;
   std::vector<RoutePoint> points_;
   std::vector<std::size_t> starts_;  // of each stretch
+  std::vector<Follower> followers_;  // before the first stretch, and after each
 };
 
 /// Stops spread over the time, where the way is about straight: one starts as one would.
@@ -182,14 +226,11 @@ void choose_speeds(const RouteConfig& config, Route& route, Random& random) {
 }
 
 bool has_all(const RouteConfig& config, const RouteFacts& facts) {
-  constexpr double kWidest = 31.0 * kDegree;   // off the axis: the lead stays in the picture
-  constexpr double kNearest = 0.62;            // metres, lead to follower
-  constexpr double kFollowerClearance = 0.36;  // metres: half a car and a hand's breadth
   const double turn = config.least_turn * kDegree;
   return facts.distance >= config.least_distance && facts.turn_left >= turn &&
          facts.turn_right >= turn && facts.stands >= config.stands &&
-         facts.side_on >= config.side_on * kDegree && facts.bearing <= kWidest &&
-         facts.follower_gap >= kNearest && facts.follower_clearance >= kFollowerClearance;
+         facts.side_on >= config.side_on * kDegree && facts.bearing <= 1.05 * kWidest &&
+         facts.follower_gap >= 0.97 * kNearest && facts.follower_clearance >= kFollowerClearance;
 }
 
 }  // namespace

@@ -24,6 +24,8 @@ void TeacherConfig::validate() const {
   require(brake >= 0.0 && brake <= 1.0, "brake: must lie in [0, 1]");
   steering.validate("steering_per_rad", 0.0, 10.0);
   correction.validate("correction_s", 0.0, 1.0);
+  require(bend >= 0.0 && bend <= 2.0, "bend_per_rad: must lie in [0, 2]");
+  require(hasty > 0.0, "hasty_rad: must be positive");
   require(edge >= 0.0, "edge_px: must not be negative");
   require(steering_noise >= 0.0, "steering_noise: must not be negative");
   require(throttle_noise >= 0.0, "throttle_noise: must not be negative");
@@ -92,7 +94,9 @@ Command Teacher::wish(const Percept& now) {
     turning_ = opening_ = 0.0;
   }
   Command wish;
-  wish.steering = steering_ * (now.bearing + correction_ * turning_);
+  const double towards = now.bearing + correction_ * turning_;
+  const double off = towards / config_.hasty;
+  wish.steering = steering_ * towards * (1.0 + off * off);
   if (now.edge != 0) wish.steering = now.edge;
   const double liking = std::max(distance_ + mood_, config_.halt + 0.1);
   if (now.distance < config_.panic) {
