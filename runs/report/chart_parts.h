@@ -11,7 +11,7 @@
 // What the charts have in common.
 namespace pacer::report::parts {
 
-/// Schema, size and title: as wide as its place on the page.
+/// Size and title: as wide as its place on the page.
 [[nodiscard]] nlohmann::json frame(const ChartStyle& style);
 
 /// A quantitative encoding of `field`.

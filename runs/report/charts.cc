@@ -15,8 +15,7 @@ namespace parts {
 using nlohmann::json;
 
 json frame(const ChartStyle& style) {
-  json spec = {{"$schema", "vega-lite/v4"},
-               {"width", "container"},
+  json spec = {{"width", "container"},
                {"height", style.height_px},
                {"autosize", {{"type", "fit-x"}, {"contains", "padding"}}}};
   if (!style.title.empty()) spec["title"] = style.title;
@@ -96,9 +95,12 @@ json line_chart(std::span<const Series> series, const Axis& x, const Axis& y,
   json dashes = json::array();
   bool banded = false;
   const std::vector<std::string> names = names_of(series);
-  for (const Series& one : series) {
-    for (json& row : line_rows(one)) rows.push_back(std::move(row));
-    banded = banded || !one.low.empty();
+  for (const bool dashed : {false, true}) {  // dashed lines on top: the others show through
+    for (const Series& one : series) {
+      if (one.dashed != dashed) continue;
+      for (json& row : line_rows(one)) rows.push_back(std::move(row));
+      banded = banded || !one.low.empty();
+    }
   }
   for (const std::string& name : names) {
     const auto found = std::find_if(series.begin(), series.end(),
@@ -113,20 +115,28 @@ json line_chart(std::span<const Series> series, const Axis& x, const Axis& y,
                {"scale", {{"domain", names}, {"range", dashes}}}};
   if (names.size() < 2) dash["legend"] = nullptr;
 
+  const json across = parts::quantity("x", x);  // marks have none: they span the chart
   json layers = json::array();
   if (banded) {
     json edge = parts::quantity("low", y);
-    layers.push_back(
-        {{"mark", {{"type", "area"}, {"opacity", 0.16}}},
-         {"encoding", {{"y", std::move(edge)}, {"y2", {{"field", "high"}}}, {"color", colours}}}});
+    layers.push_back({{"mark", {{"type", "area"}, {"opacity", 0.16}}},
+                      {"encoding",
+                       {{"x", across},
+                        {"y", std::move(edge)},
+                        {"y2", {{"field", "high"}}},
+                        {"color", colours}}}});
   }
-  layers.push_back(
-      {{"mark", {{"type", "line"}, {"clip", true}}},
-       {"encoding", {{"y", parts::quantity("y", y)}, {"color", colours}, {"strokeDash", dash}}}});
+  layers.push_back({{"mark", {{"type", "line"}, {"clip", true}}},
+                    {"encoding",
+                     {{"x", across},
+                      {"y", parts::quantity("y", y)},
+                      {"color", colours},
+                      {"strokeDash", dash}}}});
   if (rows.size() <= kMostHoverPoints) {  // unseen points that answer to the pointer
     layers.push_back({{"mark", {{"type", "point"}, {"opacity", 0}, {"size", 90}, {"clip", true}}},
                       {"encoding",
-                       {{"y", parts::quantity("y", y)},
+                       {{"x", across},
+                        {"y", parts::quantity("y", y)},
                         {"tooltip",
                          {{{"field", "series"}, {"type", "nominal"}, {"title", "series"}},
                           {{"field", "x"},
@@ -143,11 +153,10 @@ json line_chart(std::span<const Series> series, const Axis& x, const Axis& y,
     for (const double mark : marks) levels.push_back({{"level", mark}});
     layers.push_back({{"data", {{"values", levels}}},
                       {"mark", {{"type", "rule"}, {"strokeDash", {2, 3}}, {"color", "#9AA0A6"}}},
-                      {"encoding", {{"x", nullptr}, {"y", parts::quantity("level", y)}}}});
+                      {"encoding", {{"y", parts::quantity("level", y)}}}});
   }
   json spec = parts::frame(style);
   spec["data"] = {{"values", std::move(rows)}};
-  spec["encoding"] = {{"x", parts::quantity("x", x)}};
   spec["layer"] = std::move(layers);
   return spec;
 }
@@ -227,15 +236,16 @@ json bar_chart(std::span<const Bar> bars, const Axis& y, const Palette& palette,
                         {"sort", single ? series : groups},
                         {"title", nullptr},
                         {"axis", {{"labelAngle", 0}, {"ticks", false}}}}}};
+  // Bars are wide rules: in Vega-Lite 4 a bar cannot be set beside its place.
   spec["layer"] = {
       {{"mark",
-        {{"type", "bar"},
+        {{"type", "rule"},
          {"xOffset", offset},
-         {"width", {{"expr", fmt::format("bandwidth('x') * {}", 0.88 * lane_share)}}},
-         {"cornerRadiusEnd", 3},
+         {"strokeWidth", {{"expr", fmt::format("bandwidth('x') * {}", 0.86 * lane_share)}}},
          {"opacity", 0.9}}},
        {"encoding",
         {{"y", parts::quantity("value", from_zero)},
+         {"y2", {{"datum", 0}}},
          {"color", std::move(colours)},
          {"tooltip",
           {{{"field", "series"}, {"type", "nominal"}, {"title", "policy"}},

@@ -123,7 +123,7 @@ json distribution_chart(std::span<const Sample> samples, const Axis& x, const Pa
                         number("high", "highest"),         number("count", "values")};
 
   json spec = parts::frame(style);
-  spec["height"] = {{"step", 44}};
+  spec["height"] = 44 * std::max<std::size_t>(1, names.size());
   spec["encoding"] = {{"y",
                        {{"field", "series"},
                         {"type", "nominal"},
@@ -142,7 +142,7 @@ json distribution_chart(std::span<const Sample> samples, const Axis& x, const Pa
   };
   spec["layer"] = {
       {{"data", box_data},
-       {"mark", {{"type", "bar"}, {"height", 24}, {"opacity", 0.22}, {"cornerRadius", 3}}},
+       {"mark", {{"type", "rule"}, {"strokeWidth", 26}, {"opacity", 0.22}}},
        {"encoding", {{"x", place("first")}, {"x2", {{"field", "third"}}}, {"tooltip", summary}}}},
       {{"data", box_data},
        {"mark", {{"type", "rule"}, {"opacity", 0.6}}},

@@ -2,6 +2,7 @@
 #include "runs/report/draw.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -131,9 +132,11 @@ struct Gauge {
   }
   void rail() const { cv::rectangle(image, {left, y - 4}, {right, y + 4}, kRail, cv::FILLED); }
   void bar(double value) const {
-    const auto [low, high] = std::minmax(x(0.0), x(value));
-    cv::rectangle(image, {low, y - 4}, {high, y + 4}, kBlue, cv::FILLED);
-    cv::line(image, {x(0.0), y - 7}, {x(0.0), y + 7}, kSoft, 1);
+    const int from = x(0.0);
+    const int to = x(value);
+    cv::rectangle(image, {std::min(from, to), y - 4}, {std::max(from, to), y + 4}, kBlue,
+                  cv::FILLED);
+    cv::line(image, {from, y - 7}, {from, y + 7}, kSoft, 1);
   }
   void tick(double value) const {
     cv::rectangle(image, {x(value) - 1, y - 7}, {x(value) + 1, y + 7}, canvas::kInk, cv::FILLED);

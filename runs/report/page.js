@@ -12,7 +12,10 @@
       labelPadding: 5, gridDash: [2, 3], domain: false, ticks: false, labelLimit: 220,
       titleLimit: 400,
     },
-    axisX: {domain: true, ticks: true, tickSize: 4, grid: false},
+    axisX: {
+      domain: true, ticks: true, tickSize: 4, grid: false, tickCount: {signal: 'ceil(width / 80)'},
+    },
+    axisYQuantitative: {tickCount: {signal: 'ceil(height / 48)'}},
     legend: {
       orient: 'top', direction: 'horizontal', title: null, labelFontSize: 12, symbolSize: 90,
       symbolStrokeWidth: 2.5, offset: 6, columnPadding: 18, labelLimit: 260,
@@ -28,7 +31,9 @@
     const plot = chart.querySelector('.plot');
     try {
       const spec = JSON.parse(chart.querySelector('script').textContent);
-      await vegaEmbed(plot, spec, {mode: 'vega-lite', renderer: 'svg', actions: false, config});
+      const compiled = vegaLite.compile(spec, {config}).spec;
+      delete compiled.$schema;  // names a version only to warn about it
+      await vegaEmbed(plot, compiled, {mode: 'vega', renderer: 'svg', actions: false});
       chart.dataset.state = 'drawn';
     } catch (error) {
       chart.dataset.state = 'failed';

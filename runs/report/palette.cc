@@ -9,7 +9,8 @@ namespace pacer::report {
 namespace {
 
 constexpr std::string_view kGrey = "#9AA0A6";
-constexpr std::array<std::string_view, 4> kColours = {"#4477AA", "#EE6677", "#66CCEE", "#CCBB44"};
+constexpr std::array<std::string_view, 6> kColours = {"#4477AA", "#EE6677", "#66CCEE",
+                                                      "#CCBB44", "#EE7733", "#009988"};
 
 std::string_view reserved(std::string_view name) {
   if (name == "teacher") return "#228833";
