@@ -240,6 +240,7 @@ json bar_chart(std::span<const Bar> bars, const Axis& y, const Palette& palette,
   spec["layer"] = {
       {{"mark",
         {{"type", "rule"},
+         {"clip", true},  // else half their width counts as their reach, on every side
          {"xOffset", offset},
          {"strokeWidth", {{"expr", fmt::format("bandwidth('x') * {}", 0.86 * lane_share)}}},
          {"opacity", 0.9}}},

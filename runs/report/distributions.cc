@@ -142,7 +142,7 @@ json distribution_chart(std::span<const Sample> samples, const Axis& x, const Pa
   };
   spec["layer"] = {
       {{"data", box_data},
-       {"mark", {{"type", "rule"}, {"strokeWidth", 26}, {"opacity", 0.22}}},
+       {"mark", {{"type", "rule"}, {"strokeWidth", 26}, {"clip", true}, {"opacity", 0.22}}},
        {"encoding", {{"x", place("first")}, {"x2", {{"field", "third"}}}, {"tooltip", summary}}}},
       {{"data", box_data},
        {"mark", {{"type", "rule"}, {"opacity", 0.6}}},
