@@ -4,6 +4,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -302,9 +303,27 @@ bool draws_on_cpu(std::string_view renderer) {
       [renderer](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
 }
 
+/// The context that this thread gave up last. A child process leaves its parent's alone.
+struct Spare {
+  std::unique_ptr<GlContext::Backend> backend;
+  pid_t owner = 0;
+
+  ~Spare() {
+    if (owner != getpid()) (void)backend.release();
+  }
+};
+thread_local Spare spare;
+
+std::unique_ptr<GlContext::Backend> open_or_reuse() {
+  if (spare.backend && spare.owner != getpid()) (void)spare.backend.release();
+  if (!spare.backend) return open_any();
+  spare.backend->make_current();
+  return std::move(spare.backend);
+}
+
 }  // namespace
 
-GlContext::GlContext() : backend_(open_any()) {
+GlContext::GlContext() : backend_(open_or_reuse()) {
   using GetString = const unsigned char* (*)(unsigned);
   const auto get_string = reinterpret_cast<GetString>(backend_->function("glGetString"));
   const auto ask = [get_string](unsigned name) {
@@ -319,7 +338,10 @@ GlContext::GlContext() : backend_(open_any()) {
   description_.software = draws_on_cpu(description_.renderer) || description_.path == "OSMesa";
 }
 
-GlContext::~GlContext() = default;
+GlContext::~GlContext() {
+  spare.backend = std::move(backend_);
+  spare.owner = getpid();
+}
 
 void GlContext::make_current() const { backend_->make_current(); }
 

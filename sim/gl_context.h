@@ -23,7 +23,9 @@ struct GlDescription {
 /// keeps to one of them. MuJoCo looks OpenGL's functions up once a process, so the first context
 /// decides between EGL and OSMesa for those that follow, and sets MUJOCO_GL to what it decided.
 ///
-/// Make it after fork(): a driver's state does not survive one. It belongs to one thread.
+/// Make it after fork(): a driver's state does not survive one. It belongs to one thread, which
+/// keeps the last one that was given up for the next that is wanted: a driver compiles its shaders
+/// anew for every context, and an episode would pay for that.
 class GlContext {
  public:
   /// Current on this thread when it returns. Throws std::runtime_error, saying for each way that

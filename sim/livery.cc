@@ -280,6 +280,18 @@ void dress_lead(mjSpec& spec, mjsBody& chassis, const Random& random, const Live
   body.rectangle({shell.rear, -w, low}, {0.0, 2.0 * w, 0.0}, {shell.front - shell.rear, 0.0, 0.0},
                  trim);  // from below
 
+  // The dark that goes with it over the floor.
+  Shape shadow;
+  for (const double more : {0.0, 0.025}) {
+    const double x0 = shell.rear - more;
+    const double y0 = 0.9 * w + more;
+    shadow.rectangle({x0, -y0, 0.004 - 0.05 * more}, {shell.front + more - x0, 0.0, 0.0},
+                     {0.0, 2.0 * y0, 0.0}, {cv::Rect2f(0.0F, 0.0F, 1.0F, 1.0F), 0.0F});
+  }
+  mjsGeom& dark = shadow.add_to(spec, chassis, "lead_shadow", "", {1, 1});
+  dark.rgba[0] = dark.rgba[1] = dark.rgba[2] = 0.02F;
+  dark.rgba[3] = 0.25F;
+
   atlas.add_to(spec, "lead_livery");
   (void)body.add_to(spec, chassis, "lead_shell", "lead_livery", atlas.size());
 }

@@ -124,10 +124,38 @@ Skin RoomBuilder::one_of(const std::string& key, int count, Random& random,
 
 void RoomBuilder::shell(const cv::Mat& floor, double floor_metres, const cv::Mat& wall,
                         double wall_metres) {
-  mjsBody* const world = mjs_findBody(&spec_, "world");
   texture::add_material(spec_, "floor", floor, 1.0 / floor_metres, 1.0 / floor_metres);
   texture::add_material(spec_, "wall", wall, 1.0 / wall_metres, 1.0 / wall_metres);
 
+  Shape trim;
+  const Skin skirting = skin(
+      "skirting",
+      [&](Random r) {
+        return texture::wood({256, 24}, palette.second_wood, r);
+      },
+      0.0);
+  for (int side = 0; side < 4; ++side) {
+    const Vector2d normal = inward(side);
+    const double away = side % 2 == 0 ? half().y() : half().x();
+    const double reach_along = side % 2 == 0 ? half().x() : half().y();
+    const Vector3d along(-normal.y(), normal.x(), 0.0);
+    const Vector3d corner = Vector3d(-away * normal.x(), -away * normal.y(), 0.0) +
+                            0.012 * Vector3d(normal.x(), normal.y(), 0.0) - reach_along * along;
+    trim.rectangle(corner, 2.0 * reach_along * along, Vector3d(0.0, 0.0, 0.09), skirting);
+  }
+  const Skin ceiling = skin(
+      "ceiling",
+      [](Random r) {
+        return texture::plain({64, 64}, {232, 230, 224}, 6.0, r);
+      },
+      0.0);
+  trim.rectangle({-half().x(), half().y(), wall_height}, {2.0 * half().x(), 0.0, 0.0},
+                 {0.0, -2.0 * half().y(), 0.0}, ceiling);
+  pieces_.emplace_back(Piece{"trim", std::move(trim), {}, Vector2d::Zero(), 0.0}, Place{});
+}
+
+void RoomBuilder::add_structure() {
+  mjsBody* const world = mjs_findBody(&spec_, "world");
   mjsGeom* const ground = mjs_addGeom(world, nullptr);
   mjs_setName(ground->element, "floor");
   ground->type = mjGEOM_PLANE;
@@ -137,13 +165,6 @@ void RoomBuilder::shell(const cv::Mat& floor, double floor_metres, const cv::Mat
   ground->size[2] = 0.5;  // metres between the vertices that light is computed at
   mjs_setString(ground->material, "floor");
 
-  Shape trim;
-  const Skin skirting = skin(
-      "skirting",
-      [&](Random r) {
-        return texture::wood({256, 24}, palette.second_wood, r);
-      },
-      0.0);
   for (int side = 0; side < 4; ++side) {
     const Vector2d normal = inward(side);
     const double away = side % 2 == 0 ? half().y() : half().x();
@@ -164,20 +185,7 @@ void RoomBuilder::shell(const cv::Mat& floor, double floor_metres, const cv::Mat
     plane->size[1] = 0.5 * wall_height;
     plane->size[2] = 0.5;
     mjs_setString(plane->material, "wall");
-
-    const Vector3d corner = Vector3d(-away * normal.x(), -away * normal.y(), 0.0) +
-                            0.012 * Vector3d(normal.x(), normal.y(), 0.0) - reach_along * along;
-    trim.rectangle(corner, 2.0 * reach_along * along, Vector3d(0.0, 0.0, 0.09), skirting);
   }
-  const Skin ceiling = skin(
-      "ceiling",
-      [](Random r) {
-        return texture::plain({64, 64}, {232, 230, 224}, 6.0, r);
-      },
-      0.0);
-  trim.rectangle({-half().x(), half().y(), wall_height}, {2.0 * half().x(), 0.0, 0.0},
-                 {0.0, -2.0 * half().y(), 0.0}, ceiling);
-  pieces_.emplace_back(Piece{"trim", std::move(trim), {}, Vector2d::Zero(), 0.0}, Place{});
 }
 
 void RoomBuilder::light(double ambient, double ceiling, double sun) {
@@ -339,6 +347,7 @@ RoomPlan RoomBuilder::finish() {
       set(box->size, solid.half);
     }
   }
+  add_structure();  // last: what furniture hides of it then costs nothing to draw
   if (!shadows_.empty()) {
     mjsGeom& dark = shadows_.add_to(spec_, *world, "room_shadows", "", {1, 1});
     dark.rgba[0] = dark.rgba[1] = dark.rgba[2] = 0.02F;

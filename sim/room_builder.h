@@ -91,6 +91,7 @@ class RoomBuilder {
   RoomPlan finish();
 
  private:
+  void add_structure();
   [[nodiscard]] Place against(int wall, double along, double depth) const;
   [[nodiscard]] bool is_free(const Footprint& wanted, double gap) const;
 

@@ -36,11 +36,16 @@ void furnish_office(RoomBuilder& room) {
   room.palette.wall = texture::vary(room.palette.wall, 8.0, draw);
   room.palette.wood = texture::vary(room.palette.wood, 10.0, draw);
   room.wall_height = 2.6;
+  const bool papered = draw.chance(0.5);
 
-  room.shell(texture::carpet({512, 512}, texture::vary({104, 112, 124}, 18.0, draw),
-                             texture::shade(room.palette.accent, 0.25), room.random("floor")),
-             1.0, texture::plaster({384, 384}, room.palette.wall, room.random("wall")),
-             draw.uniform(0.9, 1.2));
+  room.shell(
+      texture::carpet({512, 512}, texture::vary({104, 112, 124}, 18.0, draw),
+                      texture::shade(room.palette.accent, 0.25), room.random("floor")),
+      1.0,
+      papered ? texture::wallpaper({384, 384}, room.palette.wall,
+                                   texture::shade(room.palette.accent, 0.45), room.random("wall"))
+              : texture::plaster({384, 384}, room.palette.wall, room.random("wall")),
+      draw.uniform(0.9, 1.2));
   room.light(draw.uniform(0.36, 0.46), draw.uniform(0.55, 0.7), draw.uniform(0.06, 0.16));
 
   room.line_up(0, {binder_shelf, desk, filing_cabinet, desk, binder_shelf, plant, copier, bin},

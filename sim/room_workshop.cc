@@ -36,18 +36,14 @@ void furnish_workshop(RoomBuilder& room) {
   room.palette.wall = texture::vary(room.palette.wall, 10.0, draw);
   room.wall_height = 2.8;
 
-  const bool bricks = draw.chance(0.65);
   const bool tiled = draw.chance(0.3);
-  room.shell(
-      tiled ? texture::tiles({512, 512}, texture::vary({138, 132, 122}, 14.0, draw), {86, 82, 78},
-                             6, room.random("floor"))
-            : texture::concrete({512, 512}, texture::vary({134, 131, 126}, 12.0, draw),
-                                room.random("floor")),
-      1.3,
-      bricks ? texture::brick({384, 384}, room.palette.wall, {176, 170, 160}, room.random("wall"))
-             : texture::concrete({384, 384}, texture::shade(room.palette.wall, 0.15),
-                                 room.random("wall")),
-      bricks ? draw.uniform(0.95, 1.1) : 1.6);
+  room.shell(tiled ? texture::tiles({512, 512}, texture::vary({138, 132, 122}, 14.0, draw),
+                                    {86, 82, 78}, 6, room.random("floor"))
+                   : texture::concrete({512, 512}, texture::vary({134, 131, 126}, 12.0, draw),
+                                       room.random("floor")),
+             1.3,
+             texture::brick({384, 384}, room.palette.wall, {176, 170, 160}, room.random("wall")),
+             draw.uniform(0.95, 1.1));
   room.light(draw.uniform(0.28, 0.36), draw.uniform(0.6, 0.8), draw.uniform(0.04, 0.12));
 
   room.line_up(0, {storage_rack, workbench, tool_cabinet, workbench, barrel, storage_rack, tyres},

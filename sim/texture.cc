@@ -180,11 +180,17 @@ cv::Mat carpet(cv::Size size, const Colour& colour, const Colour& accent, Random
   for (int i = 0; i < cells * cells; ++i) {
     const cv::Point at((i % cells) * size.width / cells + below(random, size.width / cells),
                        (i / cells) * size.height / cells + below(random, size.height / cells));
-    const int radius = size.width / 60 + below(random, size.width / 30);
+    const int radius = size.width / 70 + below(random, size.width / 36);
     const Colour tone = vary(random.chance(0.7) ? accent : shade(colour, 0.5), 14.0, random);
     wrapped(size, [&](cv::Point by) {
       motif(picture, at + by, radius, kind, tone, shade(colour, -0.4));
     });
+  }
+  for (int i = 0; i < 240; ++i) {  // tufts
+    const cv::Point at(below(random, size.width), below(random, size.height));
+    const Colour tone = shade(random.chance(0.3) ? accent : colour, random.uniform(-0.4, 0.4));
+    cv::ellipse(picture, at, {3 + below(random, 5), 2 + below(random, 3)},
+                random.uniform(0.0, 180.0), 0, 360, tone, cv::FILLED, cv::LINE_AA);
   }
   speckle(picture, 17.0, random);
   return picture;
@@ -245,6 +251,14 @@ cv::Mat tiles(cv::Size size, const Colour& colour, const Colour& grout, int coun
 cv::Mat concrete(cv::Size size, const Colour& colour, Random random) {
   cv::Mat picture = filled(size, colour);
   for (const int cells : {3, 9, 31, 90}) modulate(picture, noise(size, cells, cells, random), 15.0);
+  for (int i = 0; i < 260; ++i) {  // pebbles worn free
+    const cv::Point at(below(random, size.width), below(random, size.height));
+    const cv::Size axes(2 + below(random, 5), 1 + below(random, 4));
+    const Colour tone =
+        shade(colour, random.chance(0.5) ? random.uniform(-0.42, -0.2) : random.uniform(0.2, 0.45));
+    cv::ellipse(picture, at, axes, random.uniform(0.0, 180.0), 0, 360, tone, cv::FILLED,
+                cv::LINE_AA);
+  }
   for (int i = 0; i < 22; ++i) {  // stains and drops of paint
     const cv::Point at(below(random, size.width), below(random, size.height));
     const int radius = 2 + below(random, size.width / 40);
@@ -327,11 +341,11 @@ cv::Mat brick(cv::Size size, const Colour& colour, const Colour& mortar, Random 
 cv::Mat plaster(cv::Size size, const Colour& colour, Random random) {
   cv::Mat picture = filled(size, colour);
   for (const int cells : {4, 13, 37}) modulate(picture, noise(size, cells, cells, random), 9.0);
-  for (int i = 0; i < 90; ++i) {
+  for (int i = 0; i < 110; ++i) {
     const cv::Point at(below(random, size.width), below(random, size.height));
     const int length = 8 + below(random, 22);
     const double turn = random.uniform(0.0, 180.0);
-    const Colour tone = shade(colour, random.uniform(-0.16, 0.2));
+    const Colour tone = shade(colour, random.uniform(-0.24, 0.24));
     wrapped(size, [&](cv::Point by) {
       cv::ellipse(picture, at + by, {length, length / 3}, turn, 20, 130, tone, 2, cv::LINE_AA);
     });
