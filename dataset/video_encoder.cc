@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -11,6 +13,8 @@
 namespace pacer::dataset {
 namespace {
 
+constexpr std::array kPresets{"ultrafast", "superfast", "veryfast", "faster",   "fast",
+                              "medium",    "slow",      "slower",   "veryslow", "placebo"};
 constexpr int kClockPerFrame = 512;  // as other writers do: every container's clock divides it
 
 struct OutputDeleter {
@@ -23,7 +27,8 @@ struct OutputDeleter {
 }  // namespace
 
 void VideoSettings::validate() const {
-  require(!preset.empty(), "preset: name one of libx264's presets, e.g. ultrafast");
+  require(std::ranges::find(kPresets, preset) != kPresets.end(),
+          "preset: '" + preset + "' is none of libx264's, e.g. ultrafast");
   require(quality >= 0 && quality <= 51, "quality: must lie in [0, 51]");
   require(key_frame_every >= 1 && key_frame_every <= 1000,
           "key_frame_every: must lie in [1, 1000]");
