@@ -30,8 +30,12 @@ void MappingConfig::validate() const {
 }
 
 float wrapped(float angle) noexcept {
-  constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
-  return angle - kTurn * std::round(angle / kTurn);
+  constexpr float kHalf = std::numbers::pi_v<float>;
+  constexpr float kTurn = 2.0F * kHalf;
+  // Differences of angles that are already within a turn need no division.
+  if (angle > kHalf) angle -= kTurn;
+  if (angle < -kHalf) angle += kTurn;
+  return std::abs(angle) <= kHalf ? angle : angle - kTurn * std::round(angle / kTurn);
 }
 
 Command Mapping::predict(std::span<const float> pose, double clamp_sd) const noexcept {

@@ -173,6 +173,15 @@ Model read_body(std::string_view bytes) {
   return model;
 }
 
+/// What follows the version.
+Model read_sealed(ByteReader& in) {
+  const std::string_view rest = in.take(in.count(1));
+  const auto sum = in.value<std::uint64_t>();
+  sane(in.rest().empty(), "something follows its end");
+  sane(sum == checksum(rest), "its checksum does not match");
+  return read_body(rest);
+}
+
 }  // namespace
 
 std::string to_bytes(const Model& model) {
@@ -191,21 +200,16 @@ Model from_bytes(std::string_view bytes, std::string_view source) {
     throw std::runtime_error(file + ": not an affordance model");
   }
   ByteReader in(bytes.substr(kMagic.size()));
+  std::uint32_t version = 0;
   try {
-    const auto version = in.value<std::uint32_t>();
-    if (version != Model::kVersion) {
-      throw std::runtime_error("a model of version " + std::to_string(version) +
-                               ", and this program reads version " +
-                               std::to_string(Model::kVersion) + "; train it again");
-    }
-    const std::string_view rest = in.take(in.count(1));
-    const auto sum = in.value<std::uint64_t>();
-    if (!in.rest().empty()) throw std::runtime_error("something follows its end");
-    if (sum != checksum(rest)) throw std::runtime_error("its checksum does not match");
-    return read_body(rest);
+    version = in.value<std::uint32_t>();
+    if (version == Model::kVersion) return read_sealed(in);
   } catch (const std::exception& error) {
     throw std::runtime_error(file + ": a damaged affordance model: " + error.what());
   }
+  throw std::runtime_error(file + ": a model of version " + std::to_string(version) +
+                           ", and this program reads version " + std::to_string(Model::kVersion) +
+                           "; train it again");
 }
 
 void save(const Model& model, const std::filesystem::path& path) {

@@ -11,7 +11,9 @@
 #include "learning/affordance/feature_sample.h"
 #include "learning/affordance/parallel.h"
 #include "learning/affordance/rule_matches.h"
+#include "learning/affordance/rule_search.h"
 #include "learning/affordance/rule_selection.h"
+#include "learning/affordance/support_search.h"
 #include "learning/affordance/transactions.h"
 
 namespace pacer::affordance {
@@ -238,9 +240,20 @@ void Trainer::mine() {
   parallel_for(types, options_.jobs, [&](std::size_t t) {
     if (options_.stop.stop_requested()) throw TrainingStopped();
     TrainingReport::Type& report = report_.types[t];
-    std::vector<Rule> rules = mine_rules(database_, static_cast<ActionType>(t), config_.mining);
+    const auto type = static_cast<ActionType>(t);
+    // Where the support asked for would give more rules than can be chosen from, the lowest that
+    // does not.
+    AprioriConfig mining = config_.mining;
+    const SupportChoice choice = support_for_rule_count(
+        database_, type, mining, static_cast<std::size_t>(config_.selection.max_candidates));
+    const bool raised = choice.min_count > Thresholds(mining, database_.size()).min_count;
+    mining.support_percent = choice.support_percent;
+    std::vector<Rule> rules = mine_rules(database_, type, mining);
+    report.support_percent = mining.support_percent;
     report.mined = rules.size();
     Selection selection = select_rules(database_, std::move(rules), config_.selection);
+    if (raised)
+      selection.capped += selection.capped.empty() ? "support raised" : ", support raised";
     selected[t] = std::move(selection.rules);
     report.selected = selected[t].size();
     report.capped = selection.capped;

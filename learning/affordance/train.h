@@ -22,6 +22,7 @@ struct TrainingReport {
     Command centre;
     std::uint64_t frames = 0;        ///< of this type, that count
     std::uint64_t transactions = 0;  ///< of this type
+    double support_percent = 0.0;    ///< with which it was mined
     std::uint64_t mined = 0;         ///< rules
     std::uint64_t selected = 0;      ///< of them
     std::uint64_t kept = 0;          ///< of them, with matches enough for a mapping

@@ -12,7 +12,6 @@
 namespace pacer::affordance {
 namespace {
 
-using pacer::testing::kPatchRate;
 using pacer::testing::PatchDemonstration;
 using pacer::testing::PatchPainter;
 using pacer::testing::PatchStep;
@@ -92,10 +91,106 @@ Unseen respond_to_unseen(const Model& model) {
   return unseen;
 }
 
-TEST(Train, TheTurnIsTheTeachersOnUnseenPictures) {
+TEST(Train, TheActionIsTheTeachersOnUnseenPictures) {
   const Unseen unseen = respond_to_unseen(trained().model);
   EXPECT_GT(unseen.matched, unseen.frames * 8 / 10);
   EXPECT_GT(correlation(unseen.turn, unseen.taught_turn), 0.7);
+  EXPECT_GT(correlation(unseen.drive, unseen.taught_drive), 0.5);
+}
+
+TEST(Train, RulesLieOnTheLeadWithoutBeingToldOfIt) {
+  const Unseen unseen = respond_to_unseen(trained().model);
+  ASSERT_GT(unseen.rules, 100);
+  EXPECT_GT(static_cast<double>(unseen.hits), 0.7 * unseen.rules);
+}
+
+TEST(Train, TheReportAddsUp) {
+  const auto& [model, report] = trained();
+  EXPECT_EQ(report.frames, 600U);
+  EXPECT_LE(report.frames_counted, report.frames);
+  std::uint64_t frames = 0, transactions = 0, kept = 0;
+  for (const TrainingReport::Type& type : report.types) {
+    frames += type.frames;
+    transactions += type.transactions;
+    kept += type.kept;
+    EXPECT_LE(type.kept, type.selected);
+    EXPECT_LE(type.selected, type.mined);
+  }
+  EXPECT_EQ(frames, report.frames_counted);
+  EXPECT_EQ(transactions, report.transactions);
+  EXPECT_EQ(kept, model.rules.size());
+  EXPECT_LE(report.frames_matched, report.frames_counted);
+}
+
+TEST(Train, TwoThreadsLearnTheSameModelAsOne) {
+  const PatchDemonstration demonstration(3, 40, 6);
+  AffordanceConfig config = small_config();
+  config.mining.min_stretches = 2;
+  const std::string one = to_bytes(train(demonstration, config, Random(1), {}).model);
+  double share = 0.0;
+  const TrainingOptions two{
+      .jobs = 2, .scenario = {}, .stop = {}, .progress = [&](auto, double s) { share = s; }};
+  EXPECT_EQ(to_bytes(train(demonstration, config, Random(1), two).model), one);
+  EXPECT_EQ(share, 1.0);
+  EXPECT_NE(to_bytes(train(demonstration, config, Random(2), two).model), one);
+}
+
+/// One episode of `frames` steps that `change` has seen.
+template <class Change>
+PatchDemonstration changed(int frames, const Change& change) {
+  std::vector<PatchStep> steps = pacer::testing::wander(frames, Random(3));
+  for (PatchStep& step : steps) change(step);
+  return PatchDemonstration({std::move(steps)});
+}
+
+TEST(Train, RefusesADemonstrationOfOneAction) {
+  const auto still = changed(20, [](PatchStep& step) { step.command = {0.1, 0.2}; });
+  EXPECT_THROW((void)train(still, small_config(), Random(1), {}), UsageError);
+}
+
+TEST(Train, RefusesADemonstrationWithoutFrames) {
+  EXPECT_THROW((void)train(PatchDemonstration(std::vector<std::vector<PatchStep>>(1)),
+                           small_config(), Random(1), {}),
+               UsageError);
+}
+
+TEST(Train, RefusesADemonstrationTooShortForAnyRule) {
+  const auto ten = changed(10, [](PatchStep&) {});
+  EXPECT_THROW((void)train(ten, small_config(), Random(1), {}), UsageError);
+}
+
+TEST(Train, EndsWhenAStopIsRequested) {
+  std::stop_source stop;
+  stop.request_stop();
+  const TrainingOptions options{
+      .jobs = 1, .scenario = {}, .stop = stop.get_token(), .progress = {}};
+  EXPECT_THROW((void)train(PatchDemonstration(1, 10, 1), small_config(), Random(1), options),
+               TrainingStopped);
+}
+
+TEST(Train, APolicyHoldsItsLastActionOnlyAsLongAsItIsTold) {
+  const auto model = std::make_shared<const Model>(trained().model);
+  AffordancePolicy policy(model);
+  const PatchPainter painter(2);
+  Frame frame;
+  Command last;
+  std::uint64_t index = 0;
+  Annotations annotations;
+  for (const PatchStep& step : pacer::testing::wander(20, Random(31))) {
+    painter.paint(step, index++, frame);
+    annotations.clear();
+    last = policy.act({frame, {}}, annotations);
+  }
+  ASSERT_GT(policy.configurations(), 0);
+  EXPECT_FALSE(annotations.points.empty());
+  EXPECT_EQ(annotations.boxes.size(), 1U);
+  const Seconds seen = frame.time;
+  frame.rgb.assign(frame.rgb.size(), 90);
+  for (const double later : {0.1, 0.39, 0.41, 3.0}) {
+    frame.time = seen + Seconds{later};
+    const Command command = policy.act({frame, {}}, annotations);
+    EXPECT_EQ(command, later < 0.4 ? last : Command{}) << later;
+  }
 }
 
 }  // namespace
