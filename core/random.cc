@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/hash.h"
+
 namespace pacer {
 
 std::uint64_t Random::next() noexcept {  // splitmix64
@@ -31,11 +33,7 @@ std::uint64_t Random::below(std::uint64_t count) noexcept {  // unbiased: the ra
 }
 
 Random Random::fork(std::string_view name) const noexcept {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
-  for (const char c : name) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  }
-  return Random{Random{state_ ^ hash}.next()};
+  return Random{Random{state_ ^ fnv1a(name)}.next()};
 }
 
 Random Random::fork(std::string_view name, std::uint64_t index) const noexcept {

@@ -20,6 +20,20 @@ nlohmann::json to_json(const EpisodeScore& score) {
           {"steering_jerk", score.steering_jerk}};
 }
 
+EpisodeScore score_from_json(const nlohmann::json& value) {
+  return {.followed = value.at("followed"),
+          .collided = value.at("collided"),
+          .losses = value.at("losses"),
+          .lost = value.at("lost"),
+          .out_of_range = value.at("out_of_range"),
+          .driven_s = value.at("driven_s"),
+          .in_view = value.at("in_view"),
+          .in_range = value.at("in_range"),
+          .distance_m = value.at("distance_m"),
+          .bearing_rad = value.at("bearing_rad"),
+          .steering_jerk = value.at("steering_jerk")};
+}
+
 FollowingScore::FollowingScore(const FollowingConfig& config, std::span<const SignalColumn> columns)
     : config_(config),
       visible_(offset_of(columns, "privileged.lead_visible")),

@@ -28,6 +28,7 @@ struct EpisodeScore {
 };
 
 [[nodiscard]] nlohmann::json to_json(const EpisodeScore& score);
+[[nodiscard]] EpisodeScore score_from_json(const nlohmann::json& value);
 
 /// Scores an episode of a simulated (or replayed) car from its privileged signals, and asks for
 /// the end as soon as it can no longer be followed.

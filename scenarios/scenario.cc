@@ -18,7 +18,15 @@ namespace {
 constexpr std::size_t kLargestFile = 256 * 1024;  // bytes; a scenario is a few kB
 
 const char* name_of(Purpose purpose) {
-  return purpose == Purpose::kCollect ? "collect" : "evaluate";
+  switch (purpose) {
+    case Purpose::kCollect:
+      return "collect";
+    case Purpose::kEvaluate:
+      return "evaluate";
+    case Purpose::kStudy:
+      break;
+  }
+  return "study";
 }
 
 YAML::Node parse_yaml(const std::string& text, const std::string& source) {
@@ -85,8 +93,8 @@ Random Scenario::episode_random(Purpose purpose, std::uint64_t index) const {
 
 sim::SimCarConfig Scenario::simulated_for(Purpose purpose) const {
   sim::SimCarConfig config = simulated;
-  config.room.kinds = purpose == Purpose::kCollect ? rooms.demonstrated : rooms.unseen;
-  config.room.validate();
+  config.world.room.kinds = purpose == Purpose::kCollect ? rooms.demonstrated : rooms.unseen;
+  config.world.room.validate();
   return config;
 }
 

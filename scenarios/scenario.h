@@ -10,6 +10,7 @@
 #include "core/channels.h"
 #include "core/limits.h"
 #include "core/random.h"
+#include "dataset/video.h"
 #include "learning/affordance/config.h"
 #include "scenarios/following.h"
 #include "sim/sim_car.h"
@@ -45,7 +46,7 @@ struct ReplayedCarConfig {
 
 /// What an episode is driven for. Each has seeds, and rooms, of its own: nothing that is scored
 /// can have been demonstrated.
-enum class Purpose : std::uint8_t { kCollect, kEvaluate };
+enum class Purpose : std::uint8_t { kCollect, kEvaluate, kStudy };
 
 /// One run, whole: which car, what it may do, who teaches, how it is learnt and scored, and the
 /// one seed that all chance comes from. One YAML file each.
@@ -62,6 +63,7 @@ struct Scenario {
   sim::TeacherConfig teacher;
   affordance::AffordanceConfig affordance;
   FollowingConfig following;
+  dataset::VideoSettings video;  ///< of recorded datasets
 
   /// Throws std::invalid_argument for what no section can see alone.
   void validate() const;
@@ -80,6 +82,7 @@ struct Scenario {
     visit("teacher", teacher);
     visit("affordance", affordance);
     visit("following", following);
+    visit("video", video);
   }
 
   /// All chance of one episode.

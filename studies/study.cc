@@ -55,9 +55,8 @@ nlohmann::ordered_json to_json(const Study& study, const StudyContext& context,
                       {"measured", claim.measured},
                       {"holds", claim.holds}});
   }
-  return {{"study", study.name},       {"version", kVersion},
-          {"seed", context.scenario.seed}, {"machine", machine()},
-          {"study_seconds", seconds},  {"figures", result.figures},
+  return {{"study", study.name},        {"version", kVersion},      {"seed", context.scenario.seed},
+          {"machine", machine()},       {"study_seconds", seconds}, {"figures", result.figures},
           {"claims", std::move(claims)}};
 }
 

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "runs/report/page.h"
+#include "runs/run_control.h"
 #include "scenarios/scenario.h"
 
 namespace pacer {
@@ -35,19 +34,18 @@ struct StudyResult {
 /// What a study may use.
 struct StudyContext {
   Scenario scenario;
-  int jobs = 2;
+  RunControl control;
   std::filesystem::path cache;  ///< recordings, models and runs shared between studies
+  std::filesystem::path out;    ///< where its page goes; empty: none
   std::optional<std::filesystem::path> transactions;  ///< a file to mine (`apriori`)
-  std::function<void(const std::string&)> say;        ///< one line of progress
-  std::stop_token stop;
-  report::Page* page = nullptr;  ///< where plots and tables go; never null
 };
 
 /// A table or figure that is reproduced, or a comparison.
 struct Study {
   std::string name;
   std::string about;  ///< one line
-  StudyResult (*run)(const StudyContext& context);
+  /// Measures, and puts plots and tables on the page.
+  StudyResult (*run)(const StudyContext& context, report::Page& page);
 };
 
 /// Every study, in the order in which `study all` runs them.

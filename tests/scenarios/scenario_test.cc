@@ -27,13 +27,11 @@ Scenario parse(const std::string& text, const std::vector<std::string>& override
   return parse_scenario(text, "test.yaml", overrides);
 }
 
-TEST(Scenario, AnEmptyFileIsTheDefaults) {
-  EXPECT_EQ(to_yaml(parse("")), to_yaml(Scenario{}));
-}
+TEST(Scenario, AnEmptyFileIsTheDefaults) { EXPECT_EQ(to_yaml(parse("")), to_yaml(Scenario{})); }
 
 TEST(Scenario, OverridesComeAfterTheFile) {
-  const Scenario scenario = parse("seed: 3\nlimits:\n  throttle_cap: 0.4\n",
-                                  {"limits.throttle_cap=0.3", "name=mine"});
+  const Scenario scenario =
+      parse("seed: 3\nlimits:\n  throttle_cap: 0.4\n", {"limits.throttle_cap=0.3", "name=mine"});
   EXPECT_EQ(scenario.seed, 3U);
   EXPECT_DOUBLE_EQ(scenario.limits.throttle_cap, 0.3);
   EXPECT_EQ(scenario.name, "mine");

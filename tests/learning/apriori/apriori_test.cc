@@ -12,7 +12,7 @@
 
 #include "core/random.h"
 #include "learning/affordance/generated_transactions.h"
-#include "tests/support/reference_apriori.h"
+#include "studies/reference_apriori.h"
 
 namespace pacer::affordance {
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "runs/run_control.h"
+#include "scenarios/scenario.h"
+
+namespace pacer {
+
+/// What every command takes.
+struct CommonOptions {
+  std::vector<std::string> set;
+  std::optional<std::uint64_t> seed;
+  std::filesystem::path json;
+  int jobs = 0;  ///< 0: as many as there are processors
+
+  /// Adds --set, --seed, --json and --jobs to `command`.
+  void add_to(CLI::App& command);
+
+  [[nodiscard]] std::vector<std::string> overrides() const;  ///< --set, then --seed
+  [[nodiscard]] Scenario load(const std::filesystem::path& file) const;
+  [[nodiscard]] RunControl control(const std::stop_token& stop) const;
+
+  /// Writes `result` to --json, when it was asked for: whole or not at all.
+  void write_json(const nlohmann::ordered_json& result) const;
+};
+
+/// Thrown by a command that did what it could and has to end with status 1: interrupted, or a
+/// dataset with faults. What is to be said has been said.
+struct Unfinished {};
+
+// Each adds one subcommand that runs when the command line names it.
+void add_collect(CLI::App& app, const std::stop_token& stop);
+void add_train(CLI::App& app, const std::stop_token& stop);
+void add_evaluate(CLI::App& app, const std::stop_token& stop);
+void add_drive(CLI::App& app, const std::stop_token& stop);
+void add_inspect(CLI::App& app, const std::stop_token& stop);
+void add_study(CLI::App& app, const std::stop_token& stop);
+void add_doctor(CLI::App& app, const std::stop_token& stop);
+
+}  // namespace pacer

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studies/study.h"
+
+#include <fmt/format.h>
+
+#include "apps/command.h"
+#include "apps/terminal_progress.h"
+#include "core/check.h"
+#include "studies/run_studies.h"
+
+namespace pacer {
+namespace {
+
+struct StudyCommand {
+  CommonOptions common;
+  std::string name;
+  std::filesystem::path scenario = "scenarios/follow.yaml";
+  std::filesystem::path out;
+  std::filesystem::path cache = "out/cache";
+  std::filesystem::path transactions;
+
+  void run(const std::stop_token& stop) const {
+    StudyContext context;
+    context.scenario = common.load(scenario);
+    context.control = common.control(stop);
+    TerminalProgress progress;
+    context.control.progress = progress.callback();
+    context.cache = cache;
+    if (!transactions.empty()) context.transactions = transactions;
+    context.out = out;
+    if (name == "all") {
+      const nlohmann::ordered_json all = run_all_studies(context);
+      progress.finish();
+      common.write_json(all);
+      return;
+    }
+    const Study& study = find_study(name);
+    const nlohmann::ordered_json result = run_study(study, context);
+    progress.finish();
+    fmt::print("{}\n{}", study.about, to_text(result));
+    common.write_json(result);
+  }
+};
+
+}  // namespace
+
+void add_study(CLI::App& app, const std::stop_token& stop) {
+  auto options = std::make_shared<StudyCommand>();
+  CLI::App* command = app.add_subcommand("study", "Measure a table or figure of the thesis");
+  std::string names;
+  for (const Study& study : studies())
+    names += fmt::format("\n  {:<12}{}", study.name, study.about);
+  command->add_option("NAME", options->name, "A study, or all")->required();
+  command->add_option("--scenario", options->scenario, "The scenario it is measured on")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Folder for its page");
+  command->add_option("--cache", options->cache, "Folder of recordings and models kept for reuse")
+      ->capture_default_str();
+  command->add_option("--transactions", options->transactions,
+                      "apriori: a file to mine, a line being TYPE ITEM ITEM ...");
+  options->common.add_to(*command);
+  command->footer("Studies:" + names +
+                  "\nExample: pacer study following --json out/following.json --out out/following");
+  command->callback([options, stop] { options->run(stop); });
+}
+
+}  // namespace pacer

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runs/train.h"
+
+#include <fmt/format.h>
+
+#include "apps/command.h"
+#include "apps/terminal_progress.h"
+#include "core/check.h"
+#include "dataset/reader.h"
+
+namespace pacer {
+namespace {
+
+struct TrainCommand {
+  CommonOptions common;
+  std::string method;
+  std::filesystem::path dataset;
+  std::filesystem::path out;
+
+  void run(const std::stop_token& stop) const {
+    const dataset::Dataset recorded(dataset);
+    const std::string source = (dataset / "meta" / "scenario.yaml").string();
+    const Scenario scenario = parse_scenario(recorded.scenario(), source, common.overrides());
+    RunControl control = common.control(stop);
+    TerminalProgress progress;
+    control.progress = progress.callback();
+    const affordance::TrainingReport report = train_affordance(scenario, dataset, out, control);
+    progress.finish();
+    fmt::print("{}", affordance::to_text(report));
+    fmt::print(
+        "{}: written\nnext: pacer evaluate scenarios/follow.yaml --policy {} teacher "
+        "--out out/report.html\n",
+        out.string(), out.string());
+    common.write_json(affordance::to_json(report));
+  }
+};
+
+}  // namespace
+
+void add_train(CLI::App& app, const std::stop_token& stop) {
+  auto options = std::make_shared<TrainCommand>();
+  CLI::App* command = app.add_subcommand("train", "Learn to drive from a recorded dataset");
+  command->add_option("METHOD", options->method, "How: affordance (chapter 6)")
+      ->required()
+      ->check(CLI::IsMember({"affordance"}));
+  command->add_option("DATASET", options->dataset, "Folder of the dataset")->required();
+  command->add_option("--out", options->out, "File of the model")->required();
+  options->common.add_to(*command);
+  command->footer(
+      "Example: pacer train affordance out/drives --out out/follow.model\n"
+      "The scenario is the one recorded with the dataset; --set changes it.");
+  command->callback([options, stop] { options->run(stop); });
+}
+
+}  // namespace pacer

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runs/drive_once.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "core/drive.h"
+#include "dataset/replay_car.h"
+#include "runs/film.h"
+#include "sim/sim_car.h"
+
+namespace pacer {
+namespace {
+
+/// Tells how far the episode is.
+class DriveProgress final : public StepSink {
+ public:
+  DriveProgress(const RunControl& control, std::uint64_t total)
+      : control_(control), total_(total) {}
+  [[nodiscard]] bool write(const Frame&, const Step&) override {
+    control_.progress(++done_, std::max(done_, total_), "frames driven");
+    return true;
+  }
+
+ private:
+  const RunControl& control_;
+  std::uint64_t total_;
+  std::uint64_t done_ = 0;
+};
+
+/// Scores on, but never asks for the end.
+class Unhurried final : public StepSink {
+ public:
+  explicit Unhurried(StepSink& sink) : sink_(sink) {}
+  [[nodiscard]] bool write(const Frame& frame, const Step& step) override {
+    (void)sink_.write(frame, step);
+    return true;
+  }
+
+ private:
+  StepSink& sink_;
+};
+
+bool is_scored(std::span<const SignalColumn> columns) {
+  return std::ranges::any_of(
+      columns, [](const SignalColumn& column) { return column.name == "privileged.lead_visible"; });
+}
+
+}  // namespace
+
+DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
+                       const DriveOptions& options, const RunControl& control) {
+  const Purpose purpose = options.demonstrated_rooms ? Purpose::kCollect : Purpose::kEvaluate;
+  const Random random = scenario.episode_random(purpose, options.episode);
+  const sim::SimCarConfig config = scenario.simulated_for(purpose);
+
+  std::unique_ptr<Car> car;
+  std::optional<dataset::Dataset> recorded;
+  const sim::SimCar* simulated = nullptr;
+  double rate_hz = config.camera.frame_rate_hz;
+  auto expected = static_cast<std::uint64_t>(config.duration.count() * rate_hz);
+  if (scenario.car == "replayed") {
+    const auto episode = static_cast<std::size_t>(scenario.replayed.episode);
+    recorded.emplace(scenario.replayed.dataset);
+    car = std::make_unique<dataset::ReplayCar>(*recorded, episode);
+    rate_hz = recorded->info().rate_hz;
+    expected = static_cast<std::uint64_t>(recorded->episodes().at(episode).length);
+  } else {
+    auto made = std::make_unique<sim::SimCar>(config, random.fork("car"));
+    simulated = made.get();
+    car = std::move(made);
+  }
+  const std::unique_ptr<Policy> policy = source.make(scenario, simulated, random.fork("policy"));
+
+  DriveProgress progress(control, expected);
+  std::vector<StepSink*> sinks = {&progress};
+  std::optional<FollowingScore> score;
+  std::optional<Unhurried> unhurried;
+  if (is_scored(car->signal_columns())) {
+    score.emplace(scenario.following, car->signal_columns());
+    unhurried.emplace(*score);
+    sinks.push_back(options.until_the_end || recorded ? static_cast<StepSink*>(&*unhurried)
+                                                      : &*score);
+  }
+  std::optional<Film> film;
+  if (!options.video.empty()) {
+    film.emplace(options.video, static_cast<int>(rate_hz), Seconds{3600.0}, source.name());
+    sinks.push_back(&*film);
+  }
+  Sinks all(sinks);
+  DriveReport report;
+  report.frames = drive(*car, *policy, scenario.limits, scenario.channels, all, control.stop);
+  if (film) film->close();
+  if (score) report.score = score->score();
+  return report;
+}
+
+}  // namespace pacer

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/policy.h"
+#include "core/random.h"
+#include "learning/affordance/model.h"
+#include "scenarios/scenario.h"
+#include "sim/sim_car.h"
+
+namespace pacer {
+
+/// Something that `--policy` names: a model file, `teacher`, `neutral` or `mean`. Its model is
+/// loaded once, and shared by the policies made from it.
+class PolicySource {
+ public:
+  /// Throws UsageError for a name that is neither known nor a readable model. `mean` is the mean
+  /// command of the first model among `names`' demonstrations, and needs one.
+  static std::vector<PolicySource> load(const std::vector<std::string>& names);
+
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+
+  /// The policy for one episode. `car` is needed by the teacher only, must then be the simulated
+  /// one, and must outlive it; the teacher throws UsageError without one.
+  [[nodiscard]] std::unique_ptr<Policy> make(const Scenario& scenario, const sim::SimCar* car,
+                                             const Random& random) const;
+
+  /// Null unless it is a model.
+  [[nodiscard]] const std::shared_ptr<const affordance::Model>& model() const noexcept {
+    return model_;
+  }
+
+ private:
+  enum class Kind : std::uint8_t { kTeacher, kConstant, kAffordance };
+
+  std::string name_;
+  Kind kind_ = Kind::kConstant;
+  Command constant_;
+  std::shared_ptr<const affordance::Model> model_;
+};
+
+}  // namespace pacer

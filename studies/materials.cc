@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studies/materials.h"
+
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "core/hash.h"
+#include "runs/collect.h"
+#include "runs/train.h"
+
+namespace pacer {
+namespace {
+
+std::uint64_t hash_of_this_program() {
+  std::ifstream program("/proc/self/exe", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(program), {}};
+  return fnv1a(bytes);
+}
+
+}  // namespace
+
+Materials::Materials(const StudyContext& context)
+    : context_(context), program_(hash_of_this_program()) {}
+
+std::filesystem::path Materials::place(const std::string& kind, const std::string& made_of) const {
+  std::filesystem::create_directories(context_.cache);
+  return context_.cache / fmt::format("{}-{:016x}", kind, fnv1a(made_of, program_));
+}
+
+std::filesystem::path Materials::recording(Purpose purpose, std::uint64_t episodes) const {
+  const std::string made_of =
+      fmt::format("{} {}", static_cast<int>(purpose), to_yaml(context_.scenario));
+  // One folder however many episodes: a longer recording begins with the shorter one, but a study
+  // must not see more than it asked for.
+  const std::filesystem::path folder = place(fmt::format("drives-{}", episodes), made_of);
+  if (!collect(context_.scenario, purpose, episodes, folder, context_.control).whole) {
+    throw StudyStopped();
+  }
+  return folder;
+}
+
+std::filesystem::path Materials::model(std::uint64_t episodes) const {
+  const std::filesystem::path file =
+      place("model", fmt::format("{} {}", episodes, to_yaml(context_.scenario)));
+  if (!std::filesystem::exists(file)) {
+    (void)train_affordance(context_.scenario, recording(Purpose::kCollect, episodes), file,
+                           context_.control);
+  }
+  return file;
+}
+
+std::string Materials::fingerprint() const {
+  return fmt::format("{:016x}", fnv1a(to_yaml(context_.scenario), program_));
+}
+
+std::uint64_t Materials::five_minutes() const {
+  constexpr double kFiveMinutes = 300.0;
+  return std::max<std::uint64_t>(
+      1, static_cast<std::uint64_t>(kFiveMinutes / context_.scenario.simulated.duration.count()));
+}
+
+struct OneCore::Saved {
+  cpu_set_t set;
+};
+
+OneCore::OneCore() : saved_(std::make_unique<Saved>()) {
+  if (::sched_getaffinity(0, sizeof saved_->set, &saved_->set) != 0) {
+    throw std::system_error(errno, std::generic_category(), "sched_getaffinity");
+  }
+  int core = 0;
+  while (!CPU_ISSET(core, &saved_->set)) ++core;
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(core, &one);
+  if (::sched_setaffinity(0, sizeof one, &one) != 0) {
+    throw std::system_error(errno, std::generic_category(), "sched_setaffinity");
+  }
+}
+
+OneCore::~OneCore() { ::sched_setaffinity(0, sizeof saved_->set, &saved_->set); }
+
+}  // namespace pacer

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "runs/evaluate.h"
+#include "studies/study.h"
+
+namespace pacer {
+
+/// Recordings, models and closed-loop runs that studies share. Each is kept in the cache under a
+/// fingerprint of what it was made from, this program included, and made when it is not there.
+/// Times are never kept.
+class Materials {
+ public:
+  /// `context` must outlive it.
+  explicit Materials(const StudyContext& context);
+
+  /// `episodes` episodes that the teacher drove for `purpose`: the dataset's folder.
+  [[nodiscard]] std::filesystem::path recording(Purpose purpose, std::uint64_t episodes) const;
+
+  /// A model learnt from the first `episodes` demonstrated episodes: its file.
+  [[nodiscard]] std::filesystem::path model(std::uint64_t episodes) const;
+
+  /// Of the program and the scenario: what a result depends on.
+  [[nodiscard]] std::string fingerprint() const;
+
+  /// The demonstrations of five minutes at most, whole episodes.
+  [[nodiscard]] std::uint64_t five_minutes() const;
+
+ private:
+  [[nodiscard]] std::filesystem::path place(const std::string& kind,
+                                            const std::string& made_of) const;
+
+  const StudyContext& context_;
+  std::uint64_t program_;  // hash of this executable
+};
+
+/// Thrown when a stop was requested before a study was done.
+struct StudyStopped : std::runtime_error {
+  StudyStopped() : std::runtime_error("interrupted: the same command goes on from here") {}
+};
+
+/// Keeps this process, and those it starts, on one core while it lives.
+class OneCore {
+ public:
+  OneCore();  ///< throws std::system_error when the kernel refuses
+  ~OneCore();
+  OneCore(const OneCore&) = delete;
+  OneCore& operator=(const OneCore&) = delete;
+
+ private:
+  struct Saved;
+  std::unique_ptr<Saved> saved_;
+};
+
+}  // namespace pacer

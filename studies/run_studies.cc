@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studies/run_studies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+
+#include "core/check.h"
+#include "core/version.h"
+#include "studies/materials.h"
+#include "studies/studies.h"
+
+namespace pacer {
+namespace {
+
+using nlohmann::ordered_json;
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path aside = file.string() + ".part";
+  std::ofstream stream(aside);
+  stream << text;
+  stream.close();
+  std::error_code error;
+  if (stream) std::filesystem::rename(aside, file, error);
+  if (!stream || error) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+/// The result of an earlier run of the same program and scenario; null when there is none.
+ordered_json earlier(const std::filesystem::path& file, const std::string& made_of) {
+  std::ifstream stream(file);
+  const ordered_json value = ordered_json::parse(stream, nullptr, false);
+  if (!value.is_object() || value.value("made_of", "") != made_of) return nullptr;
+  return value["result"];
+}
+
+/// A claim as a row: the study, what is claimed, and what was measured.
+report::Row row_of(const std::string& study, const ordered_json& claim) {
+  return {
+      .cells = {study, claim["name"].get<std::string>(), claim["thesis"].get<std::string>(),
+                claim["bound"].get<std::string>(), claim["measured"].get<double>(),
+                claim["holds"].get<bool>() ? report::Verdict::kHolds : report::Verdict::kShort}};
+}
+
+report::Table table_of(const ordered_json& results) {
+  report::Table table;
+  table.columns = {{.heading = "study"},
+                   {.heading = "figure"},
+                   {.heading = "claim"},
+                   {.heading = "bound"},
+                   {.heading = "measured", .unit = "", .decimals = 3},
+                   {.heading = "holds"}};
+  for (const bool holds : {false, true}) {  // what falls short comes first
+    for (const auto& [study, result] : results.items()) {
+      for (const ordered_json& claim : result["claims"]) {
+        if (claim["holds"].get<bool>() == holds) table.rows.push_back(row_of(study, claim));
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+const std::vector<Study>& studies() {
+  static const std::vector<Study> all = {
+      {"response", "frame to command on one core, SIFT included", study_response},
+      {"throughput", "recording against a bare simulation loop", study_throughput},
+      {"apriori", "mining: equal to independent implementations, and its time", study_apriori},
+      {"hits", "Table 6.1: do mined configurations lie on the lead?", study_hits},
+      {"following", "closed loop in unseen rooms, against the teacher", study_following}};
+  return all;
+}
+
+const Study& find_study(const std::string& name) {
+  const auto found = std::ranges::find(studies(), name, &Study::name);
+  if (found != studies().end()) return *found;
+  std::string names;
+  for (const Study& study : studies()) names += study.name + ", ";
+  throw UsageError("there is no study \"" + name + "\"; name one of " + names + "all");
+}
+
+ordered_json run_study(const Study& study, const StudyContext& context) {
+  const auto start = std::chrono::steady_clock::now();
+  report::Page page(study.name, study.about);
+  const StudyResult result = study.run(context, page);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ordered_json value = to_json(study, context, result, seconds);
+  if (!context.out.empty()) {
+    std::filesystem::create_directories(context.out);
+    page.section("Claims").table(table_of({{study.name, value}}));
+    page.write(context.out / (study.name + ".html"));
+    write_whole(context.out / (study.name + ".json"), value.dump(2) + "\n");
+  }
+  return value;
+}
+
+ordered_json run_all_studies(const StudyContext& context) {
+  if (context.out.empty()) throw UsageError("study all: --out names the folder of its page");
+  const Materials materials(context);
+  const std::string made_of = materials.fingerprint();
+  ordered_json results = ordered_json::object();
+  for (const Study& study : studies()) {
+    const std::filesystem::path kept = context.out / ("." + study.name + ".done.json");
+    ordered_json result = earlier(kept, made_of);
+    if (result.is_null()) {
+      result = run_study(study, context);
+      write_whole(kept, ordered_json{{"made_of", made_of}, {"result", result}}.dump());
+    }
+    results[study.name] = result;
+  }
+  const report::Table table = table_of(results);
+  report::Page page(
+      "Results", fmt::format("Every study of pacer {}, seed {}.", kVersion, context.scenario.seed));
+  report::Content& claims = page.section("Claims");
+  claims.table(table);
+  for (const auto& [name, result] : results.items()) {
+    page.section(name).paragraph(report::Text::link("its page", name + ".html"));
+  }
+  page.write(context.out / "index.html");
+  write_whole(context.out / "results.md",
+              fmt::format("# Results\n\nWritten by `pacer study all`: pacer {}, seed {}.\n\n{}",
+                          kVersion, context.scenario.seed, report::markdown(table)));
+  return results;
+}
+
+std::string to_text(const ordered_json& result) {
+  std::string text;
+  for (const auto& [name, value] : result["figures"].items()) {
+    text += fmt::format(
+        "  {:<28}{}\n", name,
+        value.is_number_float() ? fmt::format("{:.4g}", value.get<double>()) : value.dump());
+  }
+  for (const ordered_json& claim : result["claims"]) {
+    text += fmt::format("  {} {}: {:.4g}, claimed {}\n",
+                        claim["holds"].get<bool>() ? "holds " : "SHORT ",
+                        claim["name"].get<std::string>(), claim["measured"].get<double>(),
+                        claim["bound"].get<std::string>());
+  }
+  return text + fmt::format("  took {:.0f} s\n", result["study_seconds"].get<double>());
+}
+
+}  // namespace pacer

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studies/study.h"
+
+namespace pacer {
+
+// One function for each study, each in a file of its own.
+StudyResult study_apriori(const StudyContext& context, report::Page& page);
+StudyResult study_following(const StudyContext& context, report::Page& page);
+StudyResult study_hits(const StudyContext& context, report::Page& page);
+StudyResult study_response(const StudyContext& context, report::Page& page);
+StudyResult study_throughput(const StudyContext& context, report::Page& page);
+
+}  // namespace pacer
