@@ -21,15 +21,15 @@ struct RouteConfig {
   double acceleration = 0.5;      ///< m/s2, ahead and braking
   double radius = 0.72;           ///< metres, of the sharpest bend
   double sharpness = 3.0;         ///< 1/m2, at most: how fast curvature changes along the way
-  double clearance = 0.60;        ///< metres, that it keeps from walls and obstacles
-  double least_clearance = 0.45;  ///< metres, in rooms where that finds no way
+  double clearance = 0.45;        ///< metres, that it keeps from walls and obstacles
+  double least_clearance = 0.36;  ///< metres, in rooms where that finds no way
   double gap = 1.15;              ///< metres of route from the follower's start to the lead's
   double least_distance = 21.0;   ///< metres
   double least_turn = 210.0;      ///< degrees in all, to each side
   int stands = 2;                 ///< stops on the way, each
   Range stand{1.7, 3.0};          ///< seconds long
   double side_on = 60.0;          ///< degrees that a follower sees the lead turned, once at least
-  int tries = 1500;               ///< before a room is given up
+  int tries = 150;                ///< before a room is given up
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;

@@ -93,7 +93,7 @@ class WayLayer {
       const double free_right = free_towards(here, -1.0);
       if (std::abs(free_left - free_right) > 0.2) to_left = free_left > free_right ? 0.9 : 0.1;
       const double side = random_.chance(to_left) ? 1.0 : -1.0;
-      return {side * random_.uniform(0.55, 1.0) * sharpest, random_.uniform(0.5, 1.8)};
+      return {side * random_.uniform(0.5, 1.0) * sharpest, random_.uniform(0.5, 2.4)};
     }
     const double side = random_.chance(to_left) ? 1.0 : -1.0;
     const double kind = random_.uniform(0.0, 1.0);
@@ -131,8 +131,28 @@ class WayLayer {
       }
       points_.push_back(point);
     }
+    if (!can_turn_back(1.0) && !can_turn_back(-1.0)) {
+      points_.resize(start);
+      return false;
+    }
     starts_.push_back(start);
     followers_.push_back(follower);
+    return true;
+  }
+
+  /// Whether a half turn to that side is free from here: no way ends in a trap.
+  [[nodiscard]] bool can_turn_back(double side) const {
+    constexpr double kCoarse = 0.1;  // metres
+    FloorPose pose = points_.back().pose;
+    double curvature = points_.back().curvature;
+    for (double turned = 0.0; turned < std::numbers::pi;) {
+      const double change = config_.sharpness * kCoarse;
+      curvature += std::clamp(side / config_.radius - curvature, -change, change);
+      pose.yaw += curvature * kCoarse;
+      pose.position += kCoarse * pose.ahead();
+      turned += side * curvature * kCoarse;
+      if (clearance(plan_, pose.position) < room_) return false;
+    }
     return true;
   }
 
