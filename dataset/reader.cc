@@ -113,7 +113,8 @@ struct EpisodeReader::Impl {
   std::optional<VideoDecoder> video;
   Frame frame;
   RecordedStep step;
-  std::int64_t read = 0;
+  double time = -1.0;     // s, of the last row
+  std::int64_t read = 0;  // rows
 
   Impl(const Dataset& from, std::size_t episode, const std::vector<std::string>& columns,
        Frames frames)
@@ -157,6 +158,8 @@ struct EpisodeReader::Impl {
     if (row[0] != static_cast<double>(entry.episode) || row[1] != static_cast<double>(read)) {
       fail(data_path, "rows are out of order");
     }
+    if (!(row[2] > time)) fail(data_path, "time does not rise");
+    time = row[2];
     if (video) {
       if (!video->next(frame)) fail(video_path, "ends early");
       frame.index = static_cast<std::uint64_t>(read);

@@ -37,7 +37,7 @@ class EpisodeRecorder final : public StepSink {
   /// Throws std::runtime_error, also when there was no step.
   void finish();
 
-  static constexpr std::size_t kFramesBehind = 16;
+  static constexpr std::size_t kFramesBehind = 8;
 
  private:
   struct Impl;
