@@ -252,6 +252,7 @@ std::unique_ptr<GlContext::Backend> open_egl(std::string& failures) {
     devices = egl_devices();
     return nullptr;
   });
+  if (devices.empty() && failures.empty()) failures = "EGL devices: none found";
   for (const auto& [device, path] : devices) {
     auto backend = attempt(path, failures, [&device, &path] {
       return std::make_unique<EglBackend>(

@@ -351,7 +351,7 @@ RoomPlan RoomBuilder::finish() {
   if (!shadows_.empty()) {
     mjsGeom& dark = shadows_.add_to(spec_, *world, "room_shadows", "", {1, 1});
     dark.rgba[0] = dark.rgba[1] = dark.rgba[2] = 0.02F;
-    dark.rgba[3] = 0.16F;
+    dark.rgba[3] = 0.1F;
   }
   return plan_;
 }

@@ -41,7 +41,7 @@ void furnish_workshop(RoomBuilder& room) {
                                     {86, 82, 78}, 6, room.random("floor"))
                    : texture::concrete({512, 512}, texture::vary({134, 131, 126}, 12.0, draw),
                                        room.random("floor")),
-             1.3,
+             1.05,
              texture::brick({384, 384}, room.palette.wall, {176, 170, 160}, room.random("wall")),
              draw.uniform(0.95, 1.1));
   room.light(draw.uniform(0.28, 0.36), draw.uniform(0.6, 0.8), draw.uniform(0.04, 0.12));

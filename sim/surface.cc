@@ -131,11 +131,11 @@ cv::Mat tiles(cv::Size size, const Colour& colour, const Colour& grout, int coun
 cv::Mat concrete(cv::Size size, const Colour& colour, Random random) {
   cv::Mat picture = filled(size, colour);
   for (const int cells : {3, 9, 31, 90}) modulate(picture, noise(size, cells, cells, random), 15.0);
-  for (int i = 0; i < 260; ++i) {  // pebbles worn free
+  for (int i = 0; i < 420; ++i) {  // pebbles worn free
     const cv::Point at(below(random, size.width), below(random, size.height));
     const cv::Size axes(2 + below(random, 5), 1 + below(random, 4));
     const Colour tone =
-        shade(colour, random.chance(0.5) ? random.uniform(-0.42, -0.2) : random.uniform(0.2, 0.45));
+        shade(colour, random.chance(0.5) ? random.uniform(-0.5, -0.25) : random.uniform(0.2, 0.45));
     cv::ellipse(picture, at, axes, random.uniform(0.0, 180.0), 0, 360, tone, cv::FILLED,
                 cv::LINE_AA);
   }
@@ -209,10 +209,10 @@ cv::Mat brick(cv::Size size, const Colour& colour, const Colour& mortar, Random 
       const int left = i * width - (row % 2 == 0 ? 0 : width / 2);
       Random one = random.fork("brick", static_cast<std::uint64_t>(row * kColumns + i % kColumns));
       cv::rectangle(picture, cv::Rect(left + 2, row * height + 2, width - 3, height - 3),
-                    vary(colour, 22.0, one), cv::FILLED);
+                    vary(colour, 30.0, one), cv::FILLED);
     }
   }
-  modulate(picture, noise(size, 50, 50, random), 20.0);
+  modulate(picture, noise(size, 50, 50, random), 28.0);
   modulate(picture, noise(size, 6, 6, random), 12.0);
   speckle(picture, 10.0, random);
   return picture;
