@@ -2,12 +2,15 @@
 #include "sim/world.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/channels.h"
 #include "core/check.h"
+#include "sim/balloon.h"
 
 namespace pacer::sim {
 namespace {
@@ -55,9 +58,47 @@ RoomPlan bare_room(mjSpec& spec, const RoomConfig& config) {
   return {.kind = "bare", .half_extent = half, .obstacles = {}};
 }
 
+/// Out of the way, where nothing is driven but much is seen: near walls and furniture.
+std::array<Eigen::Vector2d, 2> balloon_places(const RoomPlan& plan, Random random) {
+  constexpr double kFree = 0.24;  // metres about a tether: a balloon and its sway
+  constexpr double kOpen = 0.40;  // metres: beyond, it would stand in the open
+  constexpr double kApart = 1.0;  // metres between the two
+  std::array<Eigen::Vector2d, 2> places;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    double best = -1.0;
+    for (int attempt = 0; attempt < 400; ++attempt) {
+      const Eigen::Vector2d place{random.uniform(-plan.half_extent.x(), plan.half_extent.x()),
+                                  random.uniform(-plan.half_extent.y(), plan.half_extent.y())};
+      if (i > 0 && (place - places[0]).norm() < kApart) continue;
+      const double free = clearance(plan, place);
+      const bool fits = free >= kFree && free <= kOpen;
+      if (fits || free > best) {
+        places.at(i) = place;
+        best = free;
+      }
+      if (fits) break;
+    }
+  }
+  return places;
+}
+
+/// The lead's shell is longer and taller than the chassis's own outline.
+void fit_outline(mjSpec& spec, const LeadShell& shell) {
+  mjsGeom* const outline = mjs_asGeom(mjs_findElement(&spec, mjOBJ_GEOM, "lead/outline"));
+  check(outline != nullptr, "models/car.xml has a geom named outline");
+  const double bottom = outline->pos[2] - outline->size[2];
+  outline->pos[0] = 0.5 * (shell.front + shell.rear);
+  outline->pos[2] = 0.5 * (shell.roof + bottom);
+  outline->size[0] = 0.5 * (shell.front - shell.rear);
+  outline->size[1] = shell.half_width;
+  outline->size[2] = 0.5 * (shell.roof - bottom);
+}
+
 }  // namespace
 
 void WorldConfig::validate() const {
+  draught.validate("draught_n", 0.0, 0.03);
+  livery.validate();
   room.validate();
   car.validate();
   lead_car.validate();
@@ -77,7 +118,11 @@ World::World(const WorldConfig& config, Seconds time_step, double fovy, const Ra
   check(camera != nullptr, "models/car.xml has a camera named driver");
   mount_camera(*camera, config.mount, random.fork("mount"));
   camera->fovy = fovy;
-  if (config.lead) add_vehicle(*spec, "lead/", kFloor, config.lead_car, lead_random);
+  if (config.lead) {
+    mjsBody* const lead = add_vehicle(*spec, "lead/", kFloor, config.lead_car, lead_random);
+    dress_lead(*spec, *lead, random.fork("livery"), config.livery);
+    fit_outline(*spec, {});
+  }
 
   compile(*spec);
   camera_ = mj_name2id(model_.get(), mjOBJ_CAMERA, kCamera);
@@ -87,6 +132,8 @@ World::World(const WorldConfig& config, Seconds time_step, double fovy, const Ra
     lead_driver_.emplace(config.lead_driver, route_);
     lead_period_ = std::max(1L, std::lround(kLeadReaction / time_step));
   }
+  Random air = random.fork("air");
+  draught_.emplace(*model_, config.draught.draw(air), random.fork("draught"));
   settle(config);
 }
 
@@ -95,6 +142,11 @@ World::Spec World::furnish(const WorldConfig& config, const Random& random) {
     Spec spec{mj_makeSpec()};
     const Random room = random.fork("room", static_cast<std::uint64_t>(attempt));
     plan_ = config.furnished ? build_room(*spec, config.room, room) : bare_room(*spec, config.room);
+    if (config.balloons) {
+      const auto places = balloon_places(plan_, room.fork("balloon_places"));
+      const std::vector<Footprint> taken = add_balloons(*spec, places, room.fork("balloons"));
+      plan_.obstacles.insert(plan_.obstacles.end(), taken.begin(), taken.end());
+    }
     if (!config.furnished && !config.lead) return spec;
     try {
       route_ = plan_route(config.route, plan_, room.fork("route"));
@@ -126,6 +178,7 @@ void World::settle(const WorldConfig& config) {
 void World::observe() { mj_step1(model_.get(), data_.get()); }
 
 void World::advance(const Pulses& pulses) {
+  draught_->blow(*data_);
   car_->actuate(*data_, pulses);
   if (lead_) {
     if (step_ % lead_period_ == 0) lead_pulses_ = drive_lead();

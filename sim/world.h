@@ -10,7 +10,9 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "sim/camera_mount.h"
+#include "sim/draught.h"
 #include "sim/lead_driver.h"
+#include "sim/livery.h"
 #include "sim/room.h"
 #include "sim/route.h"
 #include "sim/vehicle.h"
@@ -19,12 +21,14 @@ namespace pacer::sim {
 
 /// What there is, and how it varies from episode to episode.
 struct WorldConfig {
-  bool furnished = true;  ///< false: a bare floor of the room's size
-  bool lead = true;       ///< false: the car is alone
-  bool balloons = true;   ///< a red and a green one
+  bool furnished = true;        ///< false: a bare floor of the room's size
+  bool lead = true;             ///< false: the car is alone
+  bool balloons = true;         ///< a red and a green one
+  Range draught{0.002, 0.006};  ///< newtons, the most that moving air pushes a balloon with
   RoomConfig room;
   VehicleConfig car;
   VehicleConfig lead_car;
+  LiveryConfig livery;
   RouteConfig route;
   LeadDriverConfig lead_driver;
   CameraMountConfig mount;
@@ -37,9 +41,11 @@ struct WorldConfig {
     visit("furnished", furnished);
     visit("lead", lead);
     visit("balloons", balloons);
+    visit("draught_n", draught);
     visit("room", room);
     visit("car", car);
     visit("lead_car", lead_car);
+    visit("livery", livery);
     visit("route", route);
     visit("lead_driver", lead_driver);
     visit("mount", mount);
@@ -93,6 +99,7 @@ class World {
   std::optional<Vehicle> car_;
   std::optional<Vehicle> lead_;
   std::optional<LeadDriver> lead_driver_;
+  std::optional<Draught> draught_;
   Pulses lead_pulses_;
   std::int64_t step_ = 0;
   std::int64_t lead_period_ = 1;  // steps between two decisions of the lead's driver
