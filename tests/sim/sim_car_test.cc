@@ -30,7 +30,7 @@ SimCarConfig alone() {
 SimCarConfig pair() {
   SimCarConfig config = alone();
   config.world.lead = true;
-  config.world.room.length = config.world.room.width = {14.0, 14.0};
+  config.world.room.length = config.world.room.width = {12.0, 12.0};
   config.camera.link.corrupted = 0.0;
   return config;
 }
