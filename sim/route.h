@@ -17,7 +17,7 @@ namespace pacer::sim {
 struct RouteConfig {
   Seconds horizon{60.0};          ///< that a route lasts, stands included
   Range speed{0.42, 0.75};        ///< m/s, drawn anew every few metres
-  double sideways = 0.30;         ///< m/s2, at most: slower in bends
+  double sideways = 0.20;         ///< m/s2, at most: slower in bends
   double acceleration = 0.5;      ///< m/s2, ahead and braking
   double radius = 0.72;           ///< metres, of the sharpest bend
   double sharpness = 3.0;         ///< 1/m2, at most: how fast curvature changes along the way
@@ -28,7 +28,7 @@ struct RouteConfig {
   double least_turn = 210.0;      ///< degrees in all, to each side
   int stands = 2;                 ///< stops on the way, each
   Range stand{1.7, 3.0};          ///< seconds long
-  double side_on = 60.0;          ///< degrees that a follower sees the lead turned, once at least
+  double side_on = 50.0;          ///< degrees that a follower sees the lead turned, once at least
   int tries = 150;                ///< before a room is given up
 
   /// Throws std::invalid_argument, naming the field.

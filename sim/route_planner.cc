@@ -14,7 +14,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 // What a follower must be spared.
-constexpr double kWidest = 33.0 * kDegree;   // off the axis: the lead stays in the picture
+constexpr double kWidest = 27.0 * kDegree;   // off the axis: the lead stays in the picture
 constexpr double kNearest = 0.60;            // metres, middle to middle
 constexpr double kFollowerClearance = 0.36;  // metres: half a car and a hand's breadth
 
@@ -93,15 +93,15 @@ class WayLayer {
       const double free_right = free_towards(here, -1.0);
       if (std::abs(free_left - free_right) > 0.2) to_left = free_left > free_right ? 0.9 : 0.1;
       const double side = random_.chance(to_left) ? 1.0 : -1.0;
-      return {side * random_.uniform(0.5, 1.0) * sharpest, random_.uniform(0.5, 2.4)};
+      return {side * random_.uniform(0.45, 0.72) * sharpest, random_.uniform(0.5, 2.4)};
     }
     const double side = random_.chance(to_left) ? 1.0 : -1.0;
     const double kind = random_.uniform(0.0, 1.0);
     if (kind < 0.30) return {random_.uniform(-0.1, 0.1), random_.uniform(0.4, 1.4)};
     if (kind < 0.45) {
-      return {side * sharpest, random_.uniform(90.0, 150.0) * kDegree * config_.radius};
+      return {side * sharpest, random_.uniform(85.0, 115.0) * kDegree * config_.radius};
     }
-    return {side * random_.uniform(0.15, 0.85) * sharpest, random_.uniform(0.5, 2.0)};
+    return {side * random_.uniform(0.15, 0.72) * sharpest, random_.uniform(0.5, 2.0)};
   }
 
   /// How much room there is where a bend to that side leads.
@@ -147,7 +147,7 @@ class WayLayer {
     double curvature = points_.back().curvature;
     for (double turned = 0.0; turned < std::numbers::pi;) {
       const double change = config_.sharpness * kCoarse;
-      curvature += std::clamp(side / config_.radius - curvature, -change, change);
+      curvature += std::clamp(side / config_.radius * 0.8 - curvature, -change, change);
       pose.yaw += curvature * kCoarse;
       pose.position += kCoarse * pose.ahead();
       turned += side * curvature * kCoarse;
@@ -200,13 +200,14 @@ void choose_stands(const RouteConfig& config, Route& route, Random& random) {
     const double wanted = route.lead_at + share * 0.9 * reach;
     double best = wanted;
     double least = 1e9;
-    for (double at = wanted - 1.0; at < wanted + 1.0; at += 0.1) {
-      double bend = 0.0;
-      for (double near = at - 0.3; near < at + 0.9; near += 0.1) {
-        bend = std::max(bend, std::abs(route.at(near).curvature));
-      }
-      if (bend < least) {
-        least = bend;
+    for (double at = wanted - 1.5; at < wanted + 1.5; at += 0.1) {
+      // One stop is before a sharp bend: a car that leaves to the side shows its side.
+      const double turn = wrapped(route.at(at + 1.3).pose.yaw - route.at(at).pose.yaw);
+      const double cost =
+          i == 0 ? std::abs(std::abs(turn) - 1.6) + 0.3 * std::abs(route.at(at).curvature)
+                 : std::abs(turn);
+      if (cost < least) {
+        least = cost;
         best = at;
       }
     }

@@ -102,9 +102,9 @@ Command Teacher::wish(const Percept& now) {
   if (now.distance < config_.panic) {
     wish.throttle = -config_.brake;
   } else if (now.distance > config_.halt) {
-    wish.throttle =
-        std::clamp(config_.cruise + eagerness_ * (now.distance - liking) + looming_ * opening_, 0.0,
-                   config_.most);
+    const double wanted = config_.cruise + eagerness_ * (now.distance - liking) +
+                          looming_ * opening_ + config_.bend * std::abs(now.bearing);
+    wish.throttle = std::clamp(wanted, 0.0, config_.most);
   }
   return wish;
 }
