@@ -7,6 +7,7 @@
 #include "apps/terminal_progress.h"
 #include "core/check.h"
 #include "dataset/reader.h"
+#include "runs/training_report.h"
 
 namespace pacer {
 namespace {
@@ -26,12 +27,12 @@ struct TrainCommand {
     control.progress = progress.callback();
     const affordance::TrainingReport report = train_affordance(scenario, dataset, out, control);
     progress.finish();
-    fmt::print("{}", affordance::to_text(report));
+    fmt::print("{}", to_text(report));
     fmt::print(
         "{}: written\nnext: pacer evaluate scenarios/follow.yaml --policy {} teacher "
         "--out out/report.html\n",
         out.string(), out.string());
-    common.write_json(affordance::to_json(report));
+    common.write_json(to_json(report));
   }
 };
 

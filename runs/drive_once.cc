@@ -19,7 +19,8 @@ class DriveProgress final : public StepSink {
   DriveProgress(const RunControl& control, std::uint64_t total)
       : control_(control), total_(total) {}
   [[nodiscard]] bool write(const Frame&, const Step&) override {
-    control_.progress(++done_, std::max(done_, total_), "frames driven");
+    ++done_;
+    control_.progress(done_, std::max(done_, total_), "frames driven");
     return true;
   }
 

@@ -32,21 +32,6 @@ const Preset* find(const std::string& name) {
   return found == kPresets.end() ? nullptr : found;
 }
 
-/// What is seen of a model: what a photograph of it would show, and no more.
-mjvOption photograph() {
-  mjvOption shown;
-  mjv_defaultOption(&shown);
-  std::ranges::fill(shown.flags, mjtByte{0});
-  shown.flags[mjVIS_TEXTURE] = 1;
-  shown.flags[mjVIS_STATIC] = 1;
-  shown.flags[mjVIS_TENDON] = 1;
-  shown.flags[mjVIS_SKIN] = 1;
-  std::ranges::fill(shown.sitegroup, mjtByte{0});
-  std::ranges::fill(shown.geomgroup, mjtByte{0});
-  for (const GeomGroup group : {kStructure, kFurniture, kDecoration}) shown.geomgroup[group] = 1;
-  return shown;
-}
-
 template <class Value>
 void flip_rows(const std::vector<Value>& from, Value* to, int rows) {
   const std::size_t row = from.size() / static_cast<std::size_t>(rows);
@@ -62,42 +47,60 @@ void RenderConfig::validate() const {
   require(find(quality) != nullptr, "quality: must be fast, fine or best, not " + quality);
 }
 
-Renderer::Renderer(const mjModel& model, const std::string& camera, ImageSize size,
-                   const RenderConfig& config)
-    : shown_(photograph()), size_(size) {
+mjvOption shown_in_pictures() {
+  mjvOption shown;
+  mjv_defaultOption(&shown);
+  std::ranges::fill(shown.flags, mjtByte{0});
+  shown.flags[mjVIS_TEXTURE] = 1;
+  shown.flags[mjVIS_STATIC] = 1;
+  shown.flags[mjVIS_TENDON] = 1;
+  shown.flags[mjVIS_SKIN] = 1;
+  std::ranges::fill(shown.sitegroup, mjtByte{0});
+  std::ranges::fill(shown.geomgroup, mjtByte{0});
+  for (const GeomGroup group : {kStructure, kFurniture, kDecoration}) shown.geomgroup[group] = 1;
+  return shown;
+}
+
+void make_buffers(const mjModel& model, ImageSize size, const RenderConfig& config, mjvScene& scene,
+                  mjrContext& buffers) {
   config.validate();
   require(size.width > 0 && size.height > 0, "size: a picture has at least one pixel");
   const Preset& preset = *find(config.quality);
-
-  mjv_defaultCamera(&camera_);
-  camera_.type = mjCAMERA_FIXED;
-  camera_.fixedcamid = mj_name2id(&model, mjOBJ_CAMERA, camera.c_str());
-  if (camera_.fixedcamid < 0) throw UsageError("the model has no camera named " + camera);
 
   mjModel sized = model;  // the struct alone: its arrays are shared and only read
   sized.vis.global.offwidth = size.width;
   sized.vis.global.offheight = size.height;
   sized.vis.quality.offsamples = preset.samples;
   sized.vis.quality.shadowsize = preset.shadow_size;
-  mjr_defaultContext(&buffers_);
-  mjr_makeContext(&sized, &buffers_, mjFONTSCALE_50);
-  mjr_setBuffer(mjFB_OFFSCREEN, &buffers_);
-  if (buffers_.currentBuffer != mjFB_OFFSCREEN || buffers_.offWidth < size.width ||
-      buffers_.offHeight < size.height) {
-    mjr_freeContext(&buffers_);
-    throw std::runtime_error(gl().path + ": cannot draw a picture of " +
-                             std::to_string(size.width) + " x " + std::to_string(size.height) +
+  mjr_defaultContext(&buffers);
+  mjr_makeContext(&sized, &buffers, mjFONTSCALE_50);
+  mjr_setBuffer(mjFB_OFFSCREEN, &buffers);
+  if (buffers.currentBuffer != mjFB_OFFSCREEN || buffers.offWidth < size.width ||
+      buffers.offHeight < size.height) {
+    mjr_freeContext(&buffers);
+    throw std::runtime_error("OpenGL cannot draw a picture of " + std::to_string(size.width) +
+                             " x " + std::to_string(size.height) +
                              " pixels; ask for a smaller one");
   }
 
-  mjv_defaultScene(&scene_);
+  mjv_defaultScene(&scene);
   // Room for every geom, tendon segment and skin; a scene that is too small warns, silently.
-  mjv_makeScene(&model, &scene_, static_cast<int>(model.ngeom + 8 * model.ntendon) + 64);
-  std::ranges::fill(scene_.flags, mjtByte{0});
-  scene_.flags[mjRND_CULL_FACE] = 1;
-  scene_.flags[mjRND_SKYBOX] = 1;
-  scene_.flags[mjRND_SHADOW] = preset.shadow_size > 0 ? 1 : 0;
-  scene_.flags[mjRND_REFLECTION] = preset.reflections ? 1 : 0;
+  mjv_makeScene(&model, &scene, static_cast<int>(model.ngeom + 8 * model.ntendon) + 64);
+  std::ranges::fill(scene.flags, mjtByte{0});
+  scene.flags[mjRND_CULL_FACE] = 1;
+  scene.flags[mjRND_SKYBOX] = 1;
+  scene.flags[mjRND_SHADOW] = preset.shadow_size > 0 ? 1 : 0;
+  scene.flags[mjRND_REFLECTION] = preset.reflections ? 1 : 0;
+}
+
+Renderer::Renderer(const mjModel& model, const std::string& camera, ImageSize size,
+                   const RenderConfig& config)
+    : shown_(shown_in_pictures()), size_(size) {
+  mjv_defaultCamera(&camera_);
+  camera_.type = mjCAMERA_FIXED;
+  camera_.fixedcamid = mj_name2id(&model, mjOBJ_CAMERA, camera.c_str());
+  if (camera_.fixedcamid < 0) throw UsageError("the model has no camera named " + camera);
+  make_buffers(model, size, config, scene_, buffers_);
 
   const std::size_t pixels =
       static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);

@@ -26,6 +26,14 @@ struct RenderConfig {
   }
 };
 
+/// What is seen of a model: what a photograph of it would show, and no more.
+[[nodiscard]] mjvOption shown_in_pictures();
+
+/// Makes what MuJoCo draws `model` with, at the quality of `config`, in the current OpenGL context;
+/// the caller frees both. Throws std::runtime_error when it cannot draw at this size.
+void make_buffers(const mjModel& model, ImageSize size, const RenderConfig& config, mjvScene& scene,
+                  mjrContext& buffers);
+
 /// Draws one model through one of its cameras, with an OpenGL context of its own.
 ///
 /// The same model and data give the same bytes on one machine, whatever was drawn before. Use it on

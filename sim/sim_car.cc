@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kTimeStep = 0.005;  // seconds, at most: eight steps a frame at 25 Hz
 
-/// Whole time steps make up a frame, whatever its rate.
-std::int64_t steps_per_frame(const CameraConfig& camera) {
-  return static_cast<std::int64_t>(std::ceil(1.0 / (camera.frame_rate_hz * kTimeStep) - 1e-9));
-}
-
 Seconds time_step(const CameraConfig& camera) {
   return Seconds{1.0 / (camera.frame_rate_hz * static_cast<double>(steps_per_frame(camera)))};
 }
@@ -41,6 +36,10 @@ int index_of_kind(const std::string& kind) {
 }
 
 }  // namespace
+
+std::int64_t steps_per_frame(const CameraConfig& camera) {
+  return static_cast<std::int64_t>(std::ceil(1.0 / (camera.frame_rate_hz * kTimeStep) - 1e-9));
+}
 
 void SimCarConfig::validate() const {
   require(duration.count() > 0.0, "duration_s: must be positive");

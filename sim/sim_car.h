@@ -32,6 +32,9 @@ struct SimCarConfig {
   }
 };
 
+/// How many whole time steps of the physics, of 5 ms at most, make up a frame.
+[[nodiscard]] std::int64_t steps_per_frame(const CameraConfig& camera);
+
 /// A car in MuJoCo. look() steps the physics until the next frame has come through camera and
 /// radio; pulses sent then reach the servos `command_delay` later. Before the first send() there
 /// is no pulse, and the car stands. Same config and random: same frames, bit for bit, on one

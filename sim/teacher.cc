@@ -25,6 +25,8 @@ void TeacherConfig::validate() const {
   steering.validate("steering_per_rad", 0.0, 10.0);
   correction.validate("correction_s", 0.0, 1.0);
   require(bend >= 0.0 && bend <= 2.0, "bend_per_rad: must lie in [0, 2]");
+  require(side >= 0.0, "side_rad: must not be negative");
+  require(roll >= 0.0 && roll <= most, "roll: must lie in [0, most]");
   require(hasty > 0.0, "hasty_rad: must be positive");
   require(edge >= 0.0, "edge_px: must not be negative");
   require(steering_noise >= 0.0, "steering_noise: must not be negative");
@@ -99,12 +101,13 @@ Command Teacher::wish(const Percept& now) {
   wish.steering = steering_ * towards * (1.0 + off * off);
   if (now.edge != 0) wish.steering = now.edge;
   const double liking = std::max(distance_ + mood_, config_.halt + 0.1);
+  const bool leaving = now.edge != 0 || std::abs(now.bearing) > config_.side;
   if (now.distance < config_.panic) {
     wish.throttle = -config_.brake;
-  } else if (now.distance > config_.halt) {
+  } else if (now.distance > config_.halt || leaving) {
     const double wanted = config_.cruise + eagerness_ * (now.distance - liking) +
                           looming_ * opening_ + config_.bend * std::abs(now.bearing);
-    wish.throttle = std::clamp(wanted, 0.0, config_.most);
+    wish.throttle = std::clamp(wanted, leaving ? config_.roll : 0.0, config_.most);
   }
   return wish;
 }

@@ -13,20 +13,22 @@ namespace pacer::sim {
 
 /// How the scripted teacher drives. Ranges are drawn once an episode: nobody drives alike twice.
 struct TeacherConfig {
-  Range reaction{0.16, 0.24};     ///< seconds from seeing to doing
-  double memory = 0.1;            ///< seconds that it goes on when the lead has gone: a flicker
-  Range smoothing{0.06, 0.12};    ///< seconds, of the hand's low-pass
-  Range distance{0.95, 1.15};     ///< metres it likes to keep from a lead at `cruise`
-  double wander = 0.10;           ///< metres, deviation of that liking within an episode
-  double lead_height = 0.17;      ///< metres, what it takes the lead's height to be
-  double cruise = 0.22;           ///< stick, at the distance it likes
-  Range eagerness{0.30, 0.45};    ///< stick per metre too far
-  Range looming{0.15, 0.30};      ///< stick per m/s of the gap opening
-  double bend = 0.20;             ///< stick per radian of bearing: a car has to roll to turn
-  double halt = 0.62;             ///< metres: no throttle nearer than this
-  double panic = 0.50;            ///< metres: brakes
-  double most = 0.38;             ///< stick, at most ahead
-  double brake = 0.30;            ///< stick, of braking
+  Range reaction{0.16, 0.24};   ///< seconds from seeing to doing
+  double memory = 0.1;          ///< seconds that it goes on when the lead has gone: a flicker
+  Range smoothing{0.06, 0.12};  ///< seconds, of the hand's low-pass
+  Range distance{0.95, 1.15};   ///< metres it likes to keep from a lead at `cruise`
+  double wander = 0.10;         ///< metres, deviation of that liking within an episode
+  double lead_height = 0.17;    ///< metres, what it takes the lead's height to be
+  double cruise = 0.22;         ///< stick, at the distance it likes
+  Range eagerness{0.30, 0.45};  ///< stick per metre too far
+  Range looming{0.15, 0.30};    ///< stick per m/s of the gap opening
+  double bend = 0.20;           ///< stick per radian of bearing: a car has to roll to turn
+  double side = 0.30;   ///< radians of bearing from which the lead is about to leave the picture
+  double roll = 0.22;   ///< stick, at least, then: a car that stands cannot turn
+  double halt = 0.62;   ///< metres: no throttle nearer than this
+  double panic = 0.50;  ///< metres: brakes
+  double most = 0.38;   ///< stick, at most ahead
+  double brake = 0.30;  ///< stick, of braking
   Range steering{1.55, 2.05};     ///< stick per radian of bearing: above what geometry asks
   Range correction{0.15, 0.30};   ///< seconds that it looks ahead along the bearing's drift
   double hasty = 0.40;            ///< radians of bearing that it answers twice as hard as that
@@ -52,6 +54,8 @@ struct TeacherConfig {
     visit("eagerness_per_m", eagerness);
     visit("looming_s_per_m", looming);
     visit("bend_per_rad", bend);
+    visit("side_rad", side);
+    visit("roll", roll);
     visit("halt_m", halt);
     visit("panic_m", panic);
     visit("most", most);

@@ -19,13 +19,13 @@ double bare_loop_frames_a_second(const sim::SimCarConfig& config, const Random& 
   const sim::CameraConfig& camera = config.camera;
   const sim::Lens lens(camera.lens, camera.size(), random.fork("lens"));
   const Seconds period{1.0 / camera.frame_rate_hz};
-  const int steps = sim::steps_per_frame(camera);
-  sim::World world(config.world, period / steps, lens.rendered_fovy(), random.fork("world"));
+  const std::int64_t steps = sim::steps_per_frame(camera);
+  sim::World world(config.world, period / static_cast<double>(steps), lens.rendered_fovy(), random.fork("world"));
   const mjModel& model = world.model();
   mjData* data = &world.data();
 
   const sim::GlContext context;
-  mjvOption shown = sim::shown_in_pictures();
+  const mjvOption shown = sim::shown_in_pictures();
   mjvCamera view;
   mjv_defaultCamera(&view);
   view.type = mjCAMERA_FIXED;
@@ -38,7 +38,7 @@ double bare_loop_frames_a_second(const sim::SimCarConfig& config, const Random& 
 
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t frame = 0; frame < frames; ++frame) {
-    for (int step = 0; step < steps; ++step) mj_step(&model, data);
+    for (std::int64_t step = 0; step < steps; ++step) mj_step(&model, data);
     mjv_updateScene(&model, data, &shown, nullptr, &view, mjCAT_ALL, &scene);
     mjr_render(whole, &scene, &buffers);
     mjr_readPixels(pixels.data(), nullptr, whole, &buffers);

@@ -38,12 +38,17 @@ class Trainer {
     model_.fingerprint = demonstration.fingerprint();
   }
 
-  Training run() {
+  TransactionDatabase gather() {
     stage("survey", [&] { survey(); });
     stage("action types", [&] { find_action_types(); });  // 6.3
     stage("words", [&] { build_words(); });               // 6.5
     stage("features", [&] { read_features(); });          // 6.5
     stage("transactions", [&] { build_database(); });     // 6.5.1, 6.5.2
+    return std::move(database_);
+  }
+
+  Training run() {
+    database_ = gather();
     stage("rules", [&] { mine(); });                      // 6.5.3
     stage("mappings", [&] { learn_mappings(); });         // 6.6.1
     return {std::move(model_), std::move(report_)};
@@ -303,6 +308,12 @@ void Trainer::learn_mappings() {
 }
 
 }  // namespace
+
+TransactionDatabase transactions_of(const Demonstration& demonstration,
+                                    const AffordanceConfig& config, const Random& random,
+                                    const TrainingOptions& options) {
+  return Trainer(demonstration, config, random, options).gather();
+}
 
 Training train(const Demonstration& demonstration, const AffordanceConfig& config,
                const Random& random, const TrainingOptions& options) {

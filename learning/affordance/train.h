@@ -12,6 +12,7 @@
 #include "core/demonstration.h"
 #include "core/random.h"
 #include "learning/affordance/model.h"
+#include "learning/affordance/transaction.h"
 
 namespace pacer::affordance {
 
@@ -72,5 +73,11 @@ struct Training {
 /// whatever the demonstration throws.
 [[nodiscard]] Training train(const Demonstration& demonstration, const AffordanceConfig& config,
                              const Random& random, const TrainingOptions& options = {});
+
+/// The transactions that train() mines, and nothing more. Throws like it.
+[[nodiscard]] TransactionDatabase transactions_of(const Demonstration& demonstration,
+                                                  const AffordanceConfig& config,
+                                                  const Random& random,
+                                                  const TrainingOptions& options = {});
 
 }  // namespace pacer::affordance

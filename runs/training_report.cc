@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runs/training_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pacer {
+
+std::string to_text(const affordance::TrainingReport& report) {
+  std::string text = fmt::format(
+      "{} episodes, {} frames, {} of them new; {} features; {} transactions of {:.1f} items\n",
+      report.episodes, report.frames, report.frames_counted, report.features, report.transactions,
+      static_cast<double>(report.items) / static_cast<double>(report.transactions));
+  for (const affordance::TrainingReport::Type& type : report.types) {
+    text += fmt::format(
+        "  {:<16} steering {:+.2f} throttle {:+.2f}: {} frames, {} rules mined, {} chosen, {} kept",
+        type.name, type.centre.steering, type.centre.throttle, type.frames, type.mined,
+        type.selected, type.kept);
+    text += type.capped.empty() ? "\n" : fmt::format(" ({})\n", type.capped);
+  }
+  text += fmt::format("{} of {} new frames are matched by at least one rule\n",
+                      report.frames_matched, report.frames_counted);
+  double seconds = 0.0;
+  for (const affordance::TrainingReport::Stage& stage : report.stages) {
+    text += fmt::format("  {:<16} {:6.1f} s\n", stage.name, stage.seconds);
+    seconds += stage.seconds;
+  }
+  return text + fmt::format("learnt in {:.1f} s\n", seconds);
+}
+
+nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
+  nlohmann::ordered_json types = nlohmann::ordered_json::array();
+  for (const affordance::TrainingReport::Type& type : report.types) {
+    types.push_back({{"name", type.name},
+                     {"steering", type.centre.steering},
+                     {"throttle", type.centre.throttle},
+                     {"frames", type.frames},
+                     {"transactions", type.transactions},
+                     {"mined", type.mined},
+                     {"chosen", type.selected},
+                     {"kept", type.kept},
+                     {"capped", type.capped}});
+  }
+  nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
+  for (const affordance::TrainingReport::Stage& stage : report.stages) {
+    seconds[stage.name] = stage.seconds;
+  }
+  return {{"episodes", report.episodes},         {"frames", report.frames},
+          {"frames_counted", report.frames_counted}, {"features", report.features},
+          {"transactions", report.transactions}, {"items", report.items},
+          {"matches", report.matches},           {"frames_matched", report.frames_matched},
+          {"action_types", types},               {"seconds", seconds}};
+}
+
+}  // namespace pacer
