@@ -76,7 +76,8 @@ Teacher::Percept Teacher::perceive(const Frame& frame) const {
   percept.bearing = sight_.bearing;
   // A vehicle looks as high from behind as from the side, but not as wide.
   const double height = std::max(sight_.size * extent.y() / extent.maxCoeff(), 1e-3);
-  percept.distance = std::min(config_.lead_height / height, 5.0);
+  // Off the axis a flat picture stretches things.
+  percept.distance = std::min(config_.lead_height / (height * std::cos(percept.bearing)), 5.0);
   if (sight_.low.x() < config_.edge) percept.edge = 1;
   if (sight_.high.x() > frame.size.width - 1 - config_.edge) {
     percept.edge = percept.edge == 1 ? 0 : -1;  // as wide as the picture: no side to steer to
