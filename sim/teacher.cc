@@ -25,6 +25,7 @@ void TeacherConfig::validate() const {
   steering.validate("steering_per_rad", 0.0, 10.0);
   correction.validate("correction_s", 0.0, 1.0);
   require(bend >= 0.0 && bend <= 2.0, "bend_per_rad: must lie in [0, 2]");
+  require(foresight >= 0.0, "foresight_s: must not be negative");
   require(side >= 0.0, "side_rad: must not be negative");
   require(roll >= 0.0 && roll <= most, "roll: must lie in [0, most]");
   require(hasty > 0.0, "hasty_rad: must be positive");
@@ -103,12 +104,16 @@ Command Teacher::wish(const Percept& now) {
   if (now.edge != 0) wish.steering = now.edge;
   const double liking = std::max(distance_ + mood_, config_.halt + 0.1);
   const bool leaving = now.edge != 0 || std::abs(now.bearing) > config_.side;
-  if (now.distance < config_.panic) {
+  const double soon = now.distance + config_.foresight * std::min(opening_, 0.0);
+  if (soon < config_.panic && !leaving) {
     wish.throttle = -config_.brake;
   } else if (now.distance > config_.halt || leaving) {
     const double wanted = config_.cruise + eagerness_ * (now.distance - liking) +
                           looming_ * opening_ + config_.bend * std::abs(now.bearing);
-    wish.throttle = std::clamp(wanted, leaving ? config_.roll : 0.0, config_.most);
+    // A car that stands cannot turn; one that is near must not be rammed.
+    const double nearest = 0.7 * config_.panic;
+    const double room = std::clamp((now.distance - nearest) / (liking - nearest), 0.0, 1.0);
+    wish.throttle = std::clamp(wanted, leaving ? room * config_.roll : 0.0, config_.most);
   }
   return wish;
 }

@@ -16,19 +16,20 @@ struct TeacherConfig {
   Range reaction{0.16, 0.24};   ///< seconds from seeing to doing
   double memory = 0.1;          ///< seconds that it goes on when the lead has gone: a flicker
   Range smoothing{0.06, 0.12};  ///< seconds, of the hand's low-pass
-  Range distance{0.85, 1.05};   ///< metres it likes to keep from a lead at `cruise`
+  Range distance{0.75, 0.95};   ///< metres it likes to keep from the near end of a lead at `cruise`
   double wander = 0.10;         ///< metres, deviation of that liking within an episode
   double lead_height = 0.17;    ///< metres, what it takes the lead's height to be
   double cruise = 0.22;         ///< stick, at the distance it likes
   Range eagerness{0.32, 0.43};  ///< stick per metre too far
   Range looming{0.18, 0.26};    ///< stick per m/s of the gap opening
   double bend = 0.10;           ///< stick per radian of bearing: a car has to roll to turn
-  double side = 0.30;   ///< radians of bearing from which the lead is about to leave the picture
-  double roll = 0.24;   ///< stick, at least, then: a car that stands cannot turn
-  double halt = 0.62;   ///< metres: no throttle nearer than this
-  double panic = 0.50;  ///< metres: brakes
-  double most = 0.38;   ///< stick, at most ahead
-  double brake = 0.30;  ///< stick, of braking
+  double side = 0.30;      ///< radians of bearing from which the lead is about to leave the picture
+  double roll = 0.31;      ///< stick, at least, then: a car that stands cannot turn
+  double halt = 0.56;      ///< metres: no throttle nearer than this
+  double panic = 0.50;     ///< metres: brakes, when it will be nearer than this
+  double foresight = 0.4;  ///< seconds from now
+  double most = 0.34;      ///< stick, at most ahead
+  double brake = 0.30;     ///< stick, of braking
   Range steering{1.60, 2.00};     ///< stick per radian of bearing: above what geometry asks
   Range correction{0.15, 0.30};   ///< seconds that it looks ahead along the bearing's drift
   double hasty = 0.40;            ///< radians of bearing that it answers twice as hard as that
@@ -58,6 +59,7 @@ struct TeacherConfig {
     visit("roll", roll);
     visit("halt_m", halt);
     visit("panic_m", panic);
+    visit("foresight_s", foresight);
     visit("most", most);
     visit("brake", brake);
     visit("steering_per_rad", steering);
