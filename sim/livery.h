@@ -3,13 +3,17 @@
 
 #include <mujoco/mujoco.h>
 
+#include <cstdint>
+
 #include "core/random.h"
 #include "core/range.h"
 
 namespace pacer::sim {
 
-/// How lead vehicles look, and how much they differ.
+/// How the lead vehicle looks. A scenario has one lead: the same in every episode, taught or
+/// driven.
 struct LiveryConfig {
+  std::uint64_t design = 1;     ///< which livery is drawn from the ranges; one number, one livery
   Range hue{0.0, 360.0};        ///< of the paint, degrees
   Range element{0.013, 0.018};  ///< metres: the small printed things, and with them how far away
                                 ///< they can be told apart
@@ -18,6 +22,7 @@ struct LiveryConfig {
 
   template <class Visitor>
   void fields(Visitor&& visit) {
+    visit("design", design);
     visit("hue_deg", hue);
     visit("element_m", element);
   }

@@ -105,14 +105,15 @@ Command Teacher::wish(const Percept& now) {
   const double liking = std::max(distance_ + mood_, config_.halt + 0.1);
   const bool leaving = now.edge != 0 || std::abs(now.bearing) > config_.side;
   const double soon = now.distance + config_.foresight * std::min(opening_, 0.0);
-  if (soon < config_.panic && !leaving) {
+  constexpr double kAside = 0.05;  // metres: a lead that is not ahead may come nearer
+  if (soon < config_.panic - (leaving ? kAside : 0.0)) {
     wish.throttle = -config_.brake;
   } else if (now.distance > config_.halt || leaving) {
     const double wanted = config_.cruise + eagerness_ * (now.distance - liking) +
                           looming_ * opening_ + config_.bend * std::abs(now.bearing);
     // A car that stands cannot turn; one that is near must not be rammed.
     const double nearest = 0.7 * config_.panic;
-    const double room = std::clamp((now.distance - nearest) / (liking - nearest), 0.0, 1.0);
+    const double room = std::clamp((soon - nearest) / (liking - nearest), 0.0, 1.0);
     wish.throttle = std::clamp(wanted, leaving ? room * config_.roll : 0.0, config_.most);
   }
   return wish;

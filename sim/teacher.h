@@ -16,8 +16,8 @@ struct TeacherConfig {
   Range reaction{0.16, 0.24};   ///< seconds from seeing to doing
   double memory = 0.1;          ///< seconds that it goes on when the lead has gone: a flicker
   Range smoothing{0.06, 0.12};  ///< seconds, of the hand's low-pass
-  Range distance{0.75, 0.95};   ///< metres it likes to keep from the near end of a lead at `cruise`
-  double wander = 0.10;         ///< metres, deviation of that liking within an episode
+  Range distance{0.75, 0.95};   ///< metres that it likes to keep from the lead's near end
+  double wander = 0.07;         ///< metres, deviation of that liking within an episode
   double lead_height = 0.17;    ///< metres, what it takes the lead's height to be
   double cruise = 0.22;         ///< stick, at the distance it likes
   Range eagerness{0.32, 0.43};  ///< stick per metre too far
@@ -27,7 +27,7 @@ struct TeacherConfig {
   double roll = 0.31;      ///< stick, at least, then: a car that stands cannot turn
   double halt = 0.56;      ///< metres: no throttle nearer than this
   double panic = 0.50;     ///< metres: brakes, when it will be nearer than this
-  double foresight = 0.4;  ///< seconds from now
+  double foresight = 0.5;  ///< seconds from now
   double most = 0.34;      ///< stick, at most ahead
   double brake = 0.30;     ///< stick, of braking
   Range steering{1.60, 2.00};     ///< stick per radian of bearing: above what geometry asks

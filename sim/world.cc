@@ -120,7 +120,7 @@ World::World(const WorldConfig& config, Seconds time_step, double fovy, const Ra
   camera->fovy = fovy;
   if (config.lead) {
     mjsBody* const lead = add_vehicle(*spec, "lead/", kFloor, config.lead_car, lead_random);
-    dress_lead(*spec, *lead, random.fork("livery"), config.livery);
+    dress_lead(*spec, *lead, Random(config.livery.design), config.livery);
     fit_outline(*spec, {});
   }
 

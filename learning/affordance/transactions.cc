@@ -10,6 +10,8 @@ namespace pacer::affordance {
 
 void TransactionConfig::validate() const {
   require(wanted >= 1 && wanted <= 20'000'000, "wanted: must lie in [1, 20000000]");
+  require(common_item_percent > 0.0 && common_item_percent <= 100.0,
+          "common_item_percent: must lie in (0, 100]");
   require(picture_change >= 0.0, "picture_change: must not be negative");
   require(action_change >= 0.0, "action_change: must not be negative");
   require(stretch.count() > 0.0, "stretch_s: must be above 0");
@@ -70,6 +72,29 @@ void FeatureLog::add(const Features& features, const Words& labels, const Comman
   stretches.push_back(stretch);
 }
 
+namespace {
+
+/// `database` without the items that more than `percent` of its transactions hold.
+TransactionDatabase without_common_items(const TransactionDatabase& database, double percent) {
+  std::vector<std::size_t> held(static_cast<std::size_t>(database.item_count));
+  for (const Item item : database.items) ++held[item];
+  const double most = percent / 100.0 * static_cast<double>(database.size());
+  TransactionDatabase rest;
+  rest.item_count = database.item_count;
+  rest.type_count = database.type_count;
+  std::vector<Item> items;
+  for (std::size_t t = 0; t < database.size(); ++t) {
+    items.clear();
+    for (const Item item : database.transaction(t)) {
+      if (static_cast<double>(held[item]) <= most) items.push_back(item);
+    }
+    rest.add(items, database.types[t], database.stretches[t]);
+  }
+  return rest;
+}
+
+}  // namespace
+
 TransactionDatabase build_transactions(std::span<const FeatureLog> episodes,
                                        const ItemLayout& layout, const GridConfig& grid,
                                        const TransactionConfig& config, int type_count) {
@@ -105,7 +130,7 @@ TransactionDatabase build_transactions(std::span<const FeatureLog> episodes,
     }
     first_stretch += stretches;
   }
-  return database;
+  return without_common_items(database, config.common_item_percent);
 }
 
 }  // namespace pacer::affordance

@@ -15,10 +15,12 @@ namespace pacer::affordance {
 
 /// Which frames, and how many of their configurations, become transactions (6.5.2).
 struct TransactionConfig {
-  int wanted = 100000;          ///< about so many transactions, of evenly thinned frames
-  double picture_change = 1.5;  ///< grey levels; see ChangeDetector
-  double action_change = 0.05;  ///< of full stick; see ChangeDetector
-  Seconds stretch{3.0};         ///< frames within one such stretch of an episode are one witness
+  int wanted = 100000;                ///< about so many transactions, of evenly thinned frames
+  double common_item_percent = 10.0;  ///< of transactions: an item that more of them hold tells
+                                      ///< nothing apart and swamps the search; it is left out
+  double picture_change = 1.5;        ///< grey levels; see ChangeDetector
+  double action_change = 0.05;        ///< of full stick; see ChangeDetector
+  Seconds stretch{3.0};  ///< frames within one such stretch of an episode are one witness
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
@@ -26,6 +28,7 @@ struct TransactionConfig {
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("wanted", wanted);
+    visit("common_item_percent", common_item_percent);
     visit("picture_change", picture_change);
     visit("action_change", action_change);
     visit("stretch_s", stretch);
@@ -74,8 +77,9 @@ struct FeatureLog {
 };
 
 /// The transactions of evenly thinned frames of `episodes`, about `config.wanted` of them, in the
-/// order of the recording. Configurations of a single neighbour or none are left out: no rule
-/// could be drawn from them. Stretches are numbered through all episodes.
+/// order of the recording, without the items that are too common. Configurations of a single
+/// neighbour or none are left out: no rule could be drawn from them. Stretches are numbered through
+/// all episodes.
 [[nodiscard]] TransactionDatabase build_transactions(std::span<const FeatureLog> episodes,
                                                      const ItemLayout& layout,
                                                      const GridConfig& grid,

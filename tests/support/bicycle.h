@@ -24,7 +24,7 @@ class Bicycle {
     slew_ = 1.0 / (0.75 * dice.uniform(0.14, 0.19));
     power_ = 33.0 * dice.uniform(0.93, 1.05);
     mass_ = 1.6 * dice.uniform(0.9, 1.12);
-    friction_ = dice.uniform(0.6, 1.6);
+    friction_ = dice.uniform(0.8, 1.3);
     delay_ = static_cast<std::size_t>(dice.uniform(0.02, 0.03) / kTick);
   }
 

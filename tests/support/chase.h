@@ -25,7 +25,7 @@ struct ChaseResult {
   double lead_distance = 0.0;
   double lead_left = 0.0, lead_right = 0.0;  ///< radians
   int lead_stands = 0;                       ///< of at least 1.5 s
-  double side_on = 0.0;                      ///< seconds seen between 55 and 125 degrees turned
+  double side_on = 0.0;                      ///< seconds seen between 45 and 135 degrees turned
   double mean_gap = 0.0;
   double steering_bearing = 0.0;  ///< correlation of stick and bearing
   double throttle_distance = 0.0;
@@ -160,10 +160,9 @@ ChaseResult chase(const sim::Route& route, const sim::RoomPlan& plan, const Rand
     const double bearing = sim::wrapped(line - follower.pose().yaw);
     edge += std::abs(bearing) > 0.35 ? 1.0 : 0.0;
     square += bearing * bearing;
-    if (in_view && std::abs(std::sin(lead.pose().yaw - line)) > 0.82) result.side_on += kFrame;
+    if (in_view && std::abs(std::sin(lead.pose().yaw - line)) > 0.707) result.side_on += kFrame;
     result.collided = result.collided || touch(lead.pose(), follower.pose()) ||
                       touch(follower.pose(), plan) || touch(lead.pose(), plan);
-    if (getenv("TRACE")) printf("t %.2f b %.2f seen %d gap %.2f cmd %.2f %.3f v %.2f lead v %.2f psi %.2f\n", time, bearing, sight.seen, gap, command.steering, command.throttle, follower.speed(), lead.speed(), sim::wrapped(lead.pose().yaw - line));
     // the world
     const sim::FloorPose before = lead.pose();
     for (int i = 0; i < 8; ++i) {
