@@ -144,7 +144,10 @@ void Visibility::choose_near(const mjData& data, const Eigen::Vector3d& eye,
 
 bool Visibility::hidden(const mjData& data, const Eigen::Vector3d& eye,
                         const Eigen::Vector3d& point) const {
-  const Eigen::Vector3d ray = point - eye;  // a hit before its end, 1, hides the point
+  // Rugs and markings lie on the floor, and the lead stands on them.
+  constexpr double kFloorCover = 0.025;  // metres
+  const Eigen::Vector3d above(point.x(), point.y(), std::max(point.z(), kFloorCover));
+  const Eigen::Vector3d ray = above - eye;  // a hit before its end, 1, hides the point
   for (const int geom : near_) {
     const int type = model_.geom_type[geom];
     double hit = -1.0;
