@@ -83,7 +83,8 @@ nlohmann::ordered_json to_json(const Evaluation& evaluation) {
   nlohmann::ordered_json policies = nlohmann::ordered_json::object();
   for (const PolicyEvaluation& policy : evaluation.policies) {
     nlohmann::ordered_json episodes = nlohmann::ordered_json::array();
-    for (const EpisodeScore& episode : policy.episodes) episodes.push_back(nlohmann::ordered_json(to_json(episode)));
+    for (const EpisodeScore& episode : policy.episodes)
+      episodes.push_back(nlohmann::ordered_json(to_json(episode)));
     policies[policy.name] = {
         {"followed", to_json(policy.followed())},
         {"in_view", to_json(report::mean(each(policy, &EpisodeScore::in_view)))},

@@ -46,11 +46,16 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
   for (const affordance::TrainingReport::Stage& stage : report.stages) {
     seconds[stage.name] = stage.seconds;
   }
-  return {{"episodes", report.episodes},         {"frames", report.frames},
-          {"frames_counted", report.frames_counted}, {"features", report.features},
-          {"transactions", report.transactions}, {"items", report.items},
-          {"matches", report.matches},           {"frames_matched", report.frames_matched},
-          {"action_types", types},               {"seconds", seconds}};
+  return {{"episodes", report.episodes},
+          {"frames", report.frames},
+          {"frames_counted", report.frames_counted},
+          {"features", report.features},
+          {"transactions", report.transactions},
+          {"items", report.items},
+          {"matches", report.matches},
+          {"frames_matched", report.frames_matched},
+          {"action_types", types},
+          {"seconds", seconds}};
 }
 
 }  // namespace pacer

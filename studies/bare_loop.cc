@@ -20,7 +20,8 @@ double bare_loop_frames_a_second(const sim::SimCarConfig& config, const Random& 
   const sim::Lens lens(camera.lens, camera.size(), random.fork("lens"));
   const Seconds period{1.0 / camera.frame_rate_hz};
   const std::int64_t steps = sim::steps_per_frame(camera);
-  sim::World world(config.world, period / static_cast<double>(steps), lens.rendered_fovy(), random.fork("world"));
+  sim::World world(config.world, period / static_cast<double>(steps), lens.rendered_fovy(),
+                   random.fork("world"));
   const mjModel& model = world.model();
   mjData* data = &world.data();
 

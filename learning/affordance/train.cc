@@ -49,8 +49,8 @@ class Trainer {
 
   Training run() {
     database_ = gather();
-    stage("rules", [&] { mine(); });                      // 6.5.3
-    stage("mappings", [&] { learn_mappings(); });         // 6.6.1
+    stage("rules", [&] { mine(); });               // 6.5.3
+    stage("mappings", [&] { learn_mappings(); });  // 6.6.1
     return {std::move(model_), std::move(report_)};
   }
 

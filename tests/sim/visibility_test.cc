@@ -144,6 +144,11 @@ TEST(Visibility, WhatIsBehindTheLeadOrNotDrawnOrClearHidesNothing) {
   EXPECT_NEAR(scene.look().sight.visible, 1.0, 1e-9);
 }
 
+TEST(Visibility, ARugUnderTheLeadHidesNothing) {
+  const Scene scene(R"(<geom type="box" size="1 .5 .005" pos="1.6 0 .005" group="2"/>)");
+  EXPECT_NEAR(scene.look().sight.visible, 1.0, 1e-9);
+}
+
 TEST(Visibility, CoveredRowsAreNotSeenButStillInView) {
   const Scene scene;
   const std::array<RowBand, 1> all = {{{.first = 0, .last = 240}}};
