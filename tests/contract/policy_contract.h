@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/policy.h"
@@ -65,7 +66,7 @@ TYPED_TEST_P(PolicyContract, TheSameFramesGiveTheSameCommands) {
 }
 
 TYPED_TEST_P(PolicyContract, MarksAreFinite) {
-  const std::unique_ptr<Policy> policy = Factory{}();
+  const std::unique_ptr<Policy> policy = TypeParam{}();
   Annotations annotations;
   for (const Frame& frame : this->hard_frames()) {
     annotations.clear();
@@ -82,7 +83,7 @@ TYPED_TEST_P(PolicyContract, MarksAreFinite) {
 }
 
 TYPED_TEST_P(PolicyContract, ADriverIsNamedBeforeTheFirstFrameAndStays) {
-  const std::unique_ptr<Policy> policy = Factory{}();
+  const std::unique_ptr<Policy> policy = TypeParam{}();
   const std::vector<Frame> frames = this->hard_frames();
   Annotations annotations;
   const Driver before = policy->driver();
