@@ -70,8 +70,9 @@ bool FollowingScore::write(const Frame& frame, const Step& step) {
   result_.collided = result_.collided || step.signals[collision_] > 0.0F;
   result_.lost = result_.lost || last_ - last_seen_ > config_.longest_loss;
   const double out_of_range = static_cast<double>(frames_ - frames_in_range_);
-  result_.out_of_range =
-      frames_expected_ > 0.0 && out_of_range > (1.0 - config_.share_in_range) * frames_expected_;
+  // The tolerance keeps 0.1 of 1500 frames at 150.
+  const double allowed = std::floor((1.0 - config_.share_in_range) * frames_expected_ + 1e-6);
+  result_.out_of_range = frames_expected_ > 0.0 && out_of_range > allowed;
   return !result_.collided && !result_.lost && !result_.out_of_range;
 }
 
