@@ -43,9 +43,11 @@ function(pacer_library name)
   target_link_libraries(pacer_${name} PUBLIC pacer_options)
 endfunction()
 
-# pacer_test(NAME LABEL label LIBS target... SOURCES file... [TIMEOUT s]): GoogleTest, one label.
+# pacer_test(NAME LABEL label... LIBS target... SOURCES file... [TOGETHER suite...] [TIMEOUT s]):
+# GoogleTest, a process a test, but for the suites of TOGETHER: their tests share what is costly to
+# make, so each such suite is one process.
 function(pacer_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "LABEL;TIMEOUT" "LIBS;SOURCES")  # keeps "unit;threads"
+  cmake_parse_arguments(ARG "" "TIMEOUT" "LABEL;LIBS;SOURCES;TOGETHER" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
   endif()
@@ -54,7 +56,20 @@ function(pacer_test name)
   if("threads" IN_LIST ARG_LABEL)
     add_dependencies(threaded_tests ${name})
   endif()
+  if(NOT "render" IN_LIST ARG_LABEL AND NOT "integration" IN_LIST ARG_LABEL)
+    add_dependencies(plain_tests ${name})
+  endif()
+  set(apart "*")
+  if(ARG_TOGETHER)
+    list(TRANSFORM ARG_TOGETHER APPEND ".*" OUTPUT_VARIABLE suites)
+    list(JOIN suites ":" suites)
+    set(apart "-${suites}")
+  endif()
   string(REPLACE ";" "\\;" labels "${ARG_LABEL}")
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${apart}"
     PROPERTIES LABELS "${labels}" TIMEOUT ${ARG_TIMEOUT})
+  foreach(suite ${ARG_TOGETHER})
+    add_test(NAME ${suite} COMMAND ${name} --gtest_filter=${suite}.*)
+    set_tests_properties(${suite} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})
+  endforeach()
 endfunction()
