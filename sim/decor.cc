@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/furniture.h"
+#include "sim/furniture_parts.h"
 #include "sim/print.h"
 
 // What lies on any floor and what hangs on walls.
 namespace pacer::sim::furniture {
 namespace {
-
-Piece named(const char* name, double half_x, double half_y, double height) {
-  Piece piece;
-  piece.name = name;
-  piece.half = {half_x, half_y};
-  piece.height = height;
-  return piece;
-}
 
 /// A flat picture at a height, hung on the wall behind the piece's origin.
 Piece hung(const char* name, double width, double height, double bottom, const Skin& skin,
@@ -22,10 +15,6 @@ Piece hung(const char* name, double width, double height, double bottom, const S
   piece.shape.box({0.0, 0.0, bottom + 0.5 * height}, {0.5 * width, 0.5 * thick, 0.5 * height},
                   {skin, {}, edge, edge, edge, edge});
   return piece;
-}
-
-Skin goods(RoomBuilder& room, Random& random) {
-  return room.one_of("product", 7, random, [](Random r) { return print::product({104, 112}, r); });
 }
 
 }  // namespace

@@ -2,27 +2,25 @@
 #include "learning/affordance/apriori.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <iterator>
-#include <thread>
 
 #include "core/check.h"
+#include "learning/affordance/parallel.h"
 #include "learning/affordance/rule_search.h"
 #include "learning/affordance/transaction_index.h"
 
 namespace pacer::affordance {
 namespace {
 
-std::vector<Rule> mine(const TransactionIndex& index, ActionType type,
-                       const Thresholds& thresholds) {
+std::vector<Rule> mine(const TransactionIndex& index, ActionType type, const Thresholds& thresholds,
+                       const std::stop_token& stop) {
   std::vector<Rule> rules;
   RuleSearch(index, thresholds,
              [&](std::span<const Item> items, std::uint32_t count, std::uint32_t holding) {
                rules.push_back({type, {items.begin(), items.end()}, count, holding});
                return thresholds.min_count;
              })
-      .run(type);
+      .run(type, stop);
   std::sort(rules.begin(), rules.end(),
             [](const Rule& a, const Rule& b) { return a.items < b.items; });
   return rules;
@@ -41,11 +39,11 @@ void AprioriConfig::validate() const {
 }
 
 std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,
-                             const AprioriConfig& config) {
+                             const AprioriConfig& config, const std::stop_token& stop) {
   config.validate();
   check(type < database.type_count, "the action type is one of the database's");
   const Thresholds thresholds(config, database.size());
-  return mine(TransactionIndex(database, thresholds.min_count), type, thresholds);
+  return mine(TransactionIndex(database, thresholds.min_count), type, thresholds, stop);
 }
 
 std::vector<Rule> mine_rules(const TransactionDatabase& database, const AprioriConfig& config,
@@ -55,28 +53,9 @@ std::vector<Rule> mine_rules(const TransactionDatabase& database, const AprioriC
   const TransactionIndex index(database, thresholds.min_count);
   const auto types = static_cast<std::size_t>(database.type_count);
   std::vector<std::vector<Rule>> found(types);
-  std::vector<std::exception_ptr> failures(types);
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t type = next++; type < types; type = next++) {
-      try {
-        found[type] = mine(index, static_cast<ActionType>(type), thresholds);
-      } catch (...) {
-        failures[type] = std::current_exception();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t job = 1; job < std::min(types, static_cast<std::size_t>(std::max(jobs, 1)));
-         ++job) {
-      others.emplace_back(work);
-    }
-    work();
-  }
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  parallel_for(types, jobs, [&](std::size_t type) {
+    found[type] = mine(index, static_cast<ActionType>(type), thresholds, {});
+  });
   std::vector<Rule> rules;
   for (std::vector<Rule>& of_type : found) {
     std::move(of_type.begin(), of_type.end(), std::back_inserter(rules));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "learning/affordance/transaction.h"
@@ -49,8 +50,10 @@ struct Rule {
 
 /// Every rule for `type` that meets `config`, sorted by items. Exact. The items of the database's
 /// transactions must be ascending, distinct and below item_count, its types below type_count.
+/// Ends early, with some of them, when `stop` is requested.
 [[nodiscard]] std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,
-                                           const AprioriConfig& config);
+                                           const AprioriConfig& config,
+                                           const std::stop_token& stop = {});
 
 /// The rules of all types, sorted by type, then by items; up to `jobs` types at once, a thread
 /// each. The result does not depend on `jobs`.

@@ -20,10 +20,10 @@ struct AffordanceConfig {
   WordConfig words;                ///< 6.5
   GridConfig grid;                 ///< 6.5.1
   TransactionConfig transactions;  ///< 6.5.2
-  AprioriConfig mining{.support_percent = 0.02,
+  AprioriConfig mining{.support_percent = 0.015,
                        .confidence_percent = 90.0,
                        .min_items = 3,
-                       .max_items = 6,
+                       .max_items = 5,
                        .min_stretches = 5,
                        .grow_confident = false};  ///< 6.5.3
   SelectionConfig selection;                      ///< which mined rules are kept

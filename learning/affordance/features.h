@@ -14,8 +14,8 @@ namespace pacer::affordance {
 /// Which SIFT features are kept (6.5): a prior on where the target can be and how large its
 /// details are.
 struct FeatureConfig {
-  double top = 0.25;       ///< share of the picture's height, from the top, that is not looked at
-  double max_size = 8.0;   ///< pixels, the diameter that OpenCV calls a keypoint's size
+  double top = 0.35;       ///< share of the picture's height, from the top, that is not looked at
+  double max_size = 6.0;   ///< pixels, the diameter that OpenCV calls a keypoint's size
   int budget = 500;        ///< features a frame, those of the highest contrast
   double contrast = 0.04;  ///< SIFT's contrast threshold
   double edge = 10.0;      ///< SIFT's edge threshold

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/hash.h"
 #include "learning/affordance/byte_stream.h"
 #include "learning/affordance/config_text.h"
 
@@ -15,14 +16,6 @@ namespace pacer::affordance {
 namespace {
 
 constexpr std::string_view kMagic = "PACERAFF";
-
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<std::uint8_t>(byte)) * 0x100000001b3U;
-  }
-  return hash;
-}
 
 void sane(bool condition, const char* what) {
   if (!condition) throw std::runtime_error(what);
@@ -178,7 +171,7 @@ Model read_sealed(ByteReader& in) {
   const std::string_view rest = in.take(in.count(1));
   const auto sum = in.value<std::uint64_t>();
   sane(in.rest().empty(), "something follows its end");
-  sane(sum == checksum(rest), "its checksum does not match");
+  sane(sum == fnv1a(rest), "its checksum does not match");
   return read_body(rest);
 }
 
@@ -190,7 +183,7 @@ std::string to_bytes(const Model& model) {
   for (const char letter : kMagic) out.value(letter);
   out.value(Model::kVersion);
   out.text(rest);
-  out.value(checksum(rest));
+  out.value(fnv1a(rest));
   return out.bytes();
 }
 

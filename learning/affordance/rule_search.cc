@@ -51,11 +51,14 @@ RuleSearch::RuleSearch(const TransactionIndex& index, const Thresholds& threshol
   std::iota(nodes_[0].ranks.begin(), nodes_[0].ranks.end(), 0U);
 }
 
-void RuleSearch::run(ActionType type) {
+void RuleSearch::run(ActionType type, const std::stop_token& stop) {
   type_ = type;
+  stop_ = stop;
   rules_.clear();
   std::fill(explained_.begin(), explained_.end(), char{0});
-  for (std::uint32_t rank = 0; rank < index_.ranks(); ++rank) grow_item(rank);
+  for (std::uint32_t rank = 0; rank < index_.ranks() && !stop_.stop_requested(); ++rank) {
+    grow_item(rank);
+  }
 }
 
 // The first item of a prefix: the transactions that hold it are lists yet, not bits.
@@ -185,6 +188,7 @@ void RuleSearch::grow(std::size_t depth) {
   Node& node = nodes_[depth];
   const std::size_t size = depth + 2;  // of prefix, row and another row
   for (std::size_t row = 1; row < node.ranks.size(); ++row) {
+    if (stop_.stop_requested()) return;
     keep_frequent(node, row);
     if (node.kept.empty()) continue;
     const std::uint32_t rank = node.ranks[row];

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <unordered_map>
 #include <vector>
 
@@ -46,7 +47,8 @@ class RuleSearch {
 
   /// `index` must outlive the search.
   RuleSearch(const TransactionIndex& index, const Thresholds& thresholds, Found found);
-  void run(ActionType type);
+  /// Ends early when `stop` is requested.
+  void run(ActionType type, const std::stop_token& stop = {});
 
  private:
   using Words = std::vector<BitTable::Word>;
@@ -90,6 +92,7 @@ class RuleSearch {
   Thresholds limits_;
   Found found_;
   ActionType type_ = 0;
+  std::stop_token stop_;
   std::vector<Node> nodes_;
   Ranks prefix_;                 ///< descending
   Ranks row_of_;                 ///< by rank: its row in the tables of nodes_[1]

@@ -250,10 +250,12 @@ void Trainer::mine() {
     // does not.
     AprioriConfig mining = config_.mining;
     const SupportChoice choice = support_for_rule_count(
-        database_, type, mining, static_cast<std::size_t>(config_.selection.max_candidates));
+        database_, type, mining, static_cast<std::size_t>(config_.selection.max_candidates),
+        options_.stop);
     const bool raised = choice.min_count > Thresholds(mining, database_.size()).min_count;
     mining.support_percent = choice.support_percent;
-    std::vector<Rule> rules = mine_rules(database_, type, mining);
+    std::vector<Rule> rules = mine_rules(database_, type, mining, options_.stop);
+    if (options_.stop.stop_requested()) throw TrainingStopped();
     report.support_percent = mining.support_percent;
     report.mined = rules.size();
     Selection selection = select_rules(database_, std::move(rules), config_.selection);

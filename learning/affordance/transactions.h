@@ -15,11 +15,11 @@ namespace pacer::affordance {
 
 /// Which frames, and how many of their configurations, become transactions (6.5.2).
 struct TransactionConfig {
-  int wanted = 100000;                 ///< about so many transactions, of evenly thinned frames
-  double common_item_percent = 100.0;  ///< of transactions: an item that more of them hold tells
-                                       ///< nothing apart and swamps the search; it is left out
-  double picture_change = 1.5;         ///< grey levels; see ChangeDetector
-  double action_change = 0.05;         ///< of full stick; see ChangeDetector
+  int wanted = 150000;                ///< about so many transactions, of evenly thinned frames
+  double common_item_percent = 12.0;  ///< of transactions: an item that more of them hold tells
+                                      ///< nothing apart and swamps the search; it is left out
+  double picture_change = 1.5;        ///< grey levels; see ChangeDetector
+  double action_change = 0.05;        ///< of full stick; see ChangeDetector
   Seconds stretch{3.0};  ///< frames within one such stretch of an episode are one witness
 
   /// Throws std::invalid_argument, naming the field.

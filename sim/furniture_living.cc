@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/furniture.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "sim/furniture.h"
+#include "sim/furniture_parts.h"
 #include "sim/print.h"
 
 // What stands in living rooms.
 namespace pacer::sim::furniture {
 namespace {
-
-Piece named(const char* name, double half_x, double half_y, double height) {
-  Piece piece;
-  piece.name = name;
-  piece.half = {half_x, half_y};
-  piece.height = height;
-  return piece;
-}
 
 Skin spines(RoomBuilder& room, Random& random) {
   const Skin row = room.one_of("books", 3, random, [](Random r) {
@@ -24,21 +16,6 @@ Skin spines(RoomBuilder& room, Random& random) {
   });
   const auto left = static_cast<float>(random.uniform(0.0, 0.45));
   return row.part(left, 0.0F, left + 0.5F, 1.0F);
-}
-
-Skin goods(RoomBuilder& room, Random& random) {
-  return room.one_of("product", 7, random, [](Random r) { return print::product({104, 112}, r); });
-}
-
-/// Legs at the corners of a table top.
-void legs(Piece& piece, double half_x, double half_y, double height, double thick,
-          const Skin& skin) {
-  for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) {
-      piece.part({x * (half_x - thick), y * (half_y - thick), 0.5 * height},
-                 {thick, thick, 0.5 * height}, BoxSkins::all(skin));
-    }
-  }
 }
 
 }  // namespace
