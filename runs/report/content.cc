@@ -86,18 +86,6 @@ std::string grid(std::span<const Element> elements, std::string_view kind) {
   return out + "</div>\n";
 }
 
-std::string_view verdict_class(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kHolds:
-      return "holds";
-    case Verdict::kShort:
-      return "short";
-    case Verdict::kOpen:
-      break;
-  }
-  return "open";
-}
-
 }  // namespace
 
 Content& Content::heading(const Text& text) {
@@ -118,7 +106,7 @@ Content& Content::list(std::span<const Text> items) {
 }
 
 Content& Content::note(const Text& text, Verdict verdict) {
-  html_ += fmt::format("<p class=\"note {}\">{}</p>\n", verdict_class(verdict), text.html());
+  html_ += fmt::format("<p class=\"note {}\">{}</p>\n", css_class(verdict), text.html());
   return *this;
 }
 
@@ -142,7 +130,7 @@ Content& Content::tiles(std::span<const Tile> tiles) {
   for (const Tile& tile : tiles) {
     html_ += fmt::format(
         "<div class=\"tile {}\"><span>{}</span><strong>{}</strong><small>{}</small></div>",
-        verdict_class(tile.verdict), escape_html(tile.label), escape_html(tile.value),
+        css_class(tile.verdict), escape_html(tile.label), escape_html(tile.value),
         escape_html(tile.detail));
   }
   html_ += "</div>\n";

@@ -71,18 +71,6 @@ std::string_view word(Verdict verdict) {
   return "not measured";
 }
 
-std::string_view css_class(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kHolds:
-      return "holds";
-    case Verdict::kShort:
-      return "short";
-    case Verdict::kOpen:
-      break;
-  }
-  return "open";
-}
-
 /// What a whole column tells about its cells.
 struct ColumnView {
   bool numeric = false;
@@ -191,6 +179,18 @@ std::string markdown_content(const Cell& cell, const Column& column) {
 }
 
 }  // namespace
+
+std::string_view css_class(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kHolds:
+      return "holds";
+    case Verdict::kShort:
+      return "short";
+    case Verdict::kOpen:
+      break;
+  }
+  return "open";
+}
 
 std::string html(const Table& table) {
   require_whole(table);

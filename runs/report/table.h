@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace pacer::report {
 
 /// Whether a claim was met. `kOpen` is for what was not measured.
 enum class Verdict : std::uint8_t { kHolds, kShort, kOpen };
+/// The name that the page's style knows it by.
+[[nodiscard]] std::string_view css_class(Verdict verdict);
 
 /// Which values of a column are the better ones; the best of them is marked.
 enum class Better : std::uint8_t { kNeither, kHigher, kLower };
