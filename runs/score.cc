@@ -61,11 +61,16 @@ bool FollowingScore::write(const Frame& frame, const Step& step) {
   const bool seen = step.signals[visible_] > 0.0F;
   if (seen) {
     last_seen_ = frame.time;
+    missed_ = false;
     ++frames_seen_;
     bearing_sum_ += std::abs(static_cast<double>(step.signals[bearing_]));
   }
-  if (seen_ && !seen) ++result_.losses;
-  seen_ = seen;
+  // Interference hides the lead for a few frames at a time: that is no loss.
+  constexpr Seconds kFlicker{0.2};
+  if (frames_seen_ > 0 && !missed_ && frame.time - last_seen_ > kFlicker) {
+    missed_ = true;
+    ++result_.losses;
+  }
 
   result_.collided = result_.collided || step.signals[collision_] > 0.0F;
   result_.lost = result_.lost || last_ - last_seen_ > config_.longest_loss;

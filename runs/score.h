@@ -16,7 +16,7 @@ namespace pacer {
 struct EpisodeScore {
   bool followed = false;
   bool collided = false;
-  int losses = 0;              ///< times the lead went out of view
+  int losses = 0;              ///< times the lead went out of view for more than 0.2 s
   bool lost = false;           ///< out of view for longer than allowed
   bool out_of_range = false;   ///< too near or too far for too long
   double driven_s = 0.0;       ///< less than the whole where it failed
@@ -52,7 +52,7 @@ class FollowingScore final : public StepSink {
   double steering_[2] = {0.0, 0.0};  // the last two commands, the older first
   double frames_expected_ = 0.0;     // in the whole episode, from the rate seen so far
   EpisodeScore result_;
-  bool seen_ = true;
+  bool missed_ = false;  // the present absence is counted
 };
 
 }  // namespace pacer

@@ -13,7 +13,7 @@ namespace pacer::report {
 namespace {
 
 constexpr int kShift = 3;   // OpenCV draws at an eighth of a pixel
-constexpr int kStrip = 56;  // height of the strip below a picture
+constexpr int kStrip = 56;  // height of the strip above a picture
 
 const cv::Scalar kGreen(63, 201, 116);
 const cv::Scalar kBlue(84, 160, 240);
@@ -202,11 +202,11 @@ void draw(const Frame& frame, const Annotations& annotations, const Hud& hud, Fr
   into.time = frame.time;
   cv::Mat whole = canvas::resized(into, drawn_size(frame.size, scale));
   whole.setTo(canvas::kBackground);
-  const cv::Rect place(0, 0, frame.size.width * scale, frame.size.height * scale);
+  const cv::Rect place(0, kStrip, frame.size.width * scale, frame.size.height * scale);
   cv::Mat picture = whole(place);
   magnify(frame, picture);
   draw_marks(picture, annotations, scale);
-  draw_strip(whole.rowRange(place.height, whole.rows), hud);
+  draw_strip(whole.rowRange(0, kStrip), hud);
 }
 
 }  // namespace pacer::report

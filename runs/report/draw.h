@@ -10,7 +10,7 @@
 
 namespace pacer::report {
 
-/// What the strip below a video's picture tells about one step.
+/// What the strip above a video's picture tells about one step.
 struct Hud {
   Command sent;                         ///< after the limits: the bars
   std::optional<Command> wanted = {};   ///< what the policy asked for: a white tick
@@ -24,8 +24,8 @@ struct Hud {
 /// outside are left out. Throws std::invalid_argument for a frame whose bytes do not fit its size.
 void draw(const Frame& frame, const Annotations& annotations, Frame& into, int scale = 2);
 
-/// The same with a strip below it that shows steering (left is left) and throttle. Width and height
-/// come out even, as video encoders ask.
+/// The same with a strip above it, clear of a player's controls, that shows steering (left is left)
+/// and throttle. Width and height come out even, as video encoders ask.
 void draw(const Frame& frame, const Annotations& annotations, const Hud& hud, Frame& into,
           int scale = 2);
 

@@ -68,6 +68,13 @@ TEST(FollowingScore, TwoSecondsOutOfViewAreForgivenAndMoreAreNot) {
   EXPECT_TRUE(hidden_for(51).lost);
 }
 
+TEST(FollowingScore, AFlickerIsNoLossNorIsTheTimeBeforeTheLeadIsSeen) {
+  const EpisodeScore score = score_of(
+      [](std::uint64_t i) { return Moment{.visible = i < 20 || i % 50 < 5 ? 0.0F : 1.0F}; });
+  EXPECT_EQ(score.losses, 0);
+  EXPECT_TRUE(score.followed);
+}
+
 TEST(FollowingScore, ATenthOfTheTimeTooFarIsForgivenAndMoreIsNot) {
   const auto far_for = [](std::uint64_t frames) {
     return score_of([frames](std::uint64_t i) {

@@ -105,7 +105,7 @@ TEST(Draw, SteeringLeftFillsTheLeftHalf) {
     const int middle = (picture.size.width * 36 / 100 + 10 + picture.size.width * 66 / 100) / 2;
     int count = 0;
     for (int x = middle - 90; x < middle + 90; ++x) {
-      if ((x < middle) == left && is_blue(pixel(picture, x, 480 + 34))) ++count;
+      if ((x < middle) == left && is_blue(pixel(picture, x, 34))) ++count;
     }
     return count;
   };
