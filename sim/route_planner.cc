@@ -27,9 +27,9 @@ struct Stretch {
 /// Lays a way stretch by stretch, and takes stretches back where it leads into a corner.
 class WayLayer {
  public:
-  WayLayer(const RouteConfig& config, const RoomPlan& plan, double room, double step,
+  WayLayer(const RouteConfig& config, const FreeFloor& floor, double room, double step,
            Random& random)
-      : config_(config), plan_(plan), room_(room), step_(step), random_(random) {}
+      : config_(config), floor_(floor), room_(room), step_(step), random_(random) {}
 
   /// A way of `length` metres, or nothing where it was led astray too often.
   std::optional<std::vector<RoutePoint>> lay(double length) {
@@ -68,11 +68,11 @@ class WayLayer {
     RoutePoint start;
     for (int i = 0; i < 50; ++i) {
       for (int axis : {0, 1}) {
-        const double half = std::max(plan_.half_extent[axis] - room_, 0.0);
+        const double half = std::max(floor_.plan().half_extent[axis] - room_, 0.0);
         start.pose.position[axis] = random_.uniform(-half, half);
       }
       start.pose.yaw = random_.uniform(-std::numbers::pi, std::numbers::pi);
-      if (clearance(plan_, start.pose.position) < room_) continue;
+      if (!floor_.has(start.pose.position, room_)) continue;
       points_ = {start};
       followers_.assign(1, Follower{Pursuer(start.pose), 0.0});
       // The first stretch is nearly straight: both cars stand on it, and the follower looks ahead.
@@ -88,7 +88,7 @@ class WayLayer {
     const double sharpest = 1.0 / config_.radius;
     // Towards a wall: away from it, to the freer side.
     constexpr double kAhead = 1.2;  // metres
-    if (clearance(plan_, here.position + kAhead * here.ahead()) < room_) {
+    if (!floor_.has(here.position + kAhead * here.ahead(), room_)) {
       const double free_left = free_towards(here, 1.0);
       const double free_right = free_towards(here, -1.0);
       if (std::abs(free_left - free_right) > 0.2) to_left = free_left > free_right ? 0.9 : 0.1;
@@ -108,7 +108,7 @@ class WayLayer {
   [[nodiscard]] double free_towards(const FloorPose& here, double side) const {
     const Eigen::Vector2d ahead = here.ahead();
     const Eigen::Vector2d aside(-side * ahead.y(), side * ahead.x());
-    return clearance(plan_, here.position + 0.8 * ahead + 1.2 * aside);
+    return clearance(floor_.plan(), here.position + 0.8 * ahead + 1.2 * aside);
   }
 
   /// False, and nothing laid, where the stretch leaves the free floor or shakes the follower off.
@@ -125,7 +125,7 @@ class WayLayer {
       point.pose.yaw += 0.5 * turn;
       point.pose.position += step_ * point.pose.ahead();
       point.pose.yaw += 0.5 * turn;
-      if (clearance(plan_, point.pose.position) < room_ || !follows(follower, point)) {
+      if (!floor_.has(point.pose.position, room_) || !follows(follower, point)) {
         points_.resize(start);
         return false;
       }
@@ -151,7 +151,7 @@ class WayLayer {
       pose.yaw += curvature * kCoarse;
       pose.position += kCoarse * pose.ahead();
       turned += side * curvature * kCoarse;
-      if (clearance(plan_, pose.position) < room_) return false;
+      if (!floor_.has(pose.position, room_)) return false;
     }
     return true;
   }
@@ -165,8 +165,7 @@ class WayLayer {
       follower.car.advance(point.pose);
       const Eigen::Vector2d at = follower.car.pose().position;
       if (std::abs(follower.car.bearing(point.pose)) > kWidest ||
-          (point.pose.position - at).norm() < kNearest ||
-          clearance(plan_, at) < kFollowerClearance) {
+          (point.pose.position - at).norm() < kNearest || !floor_.has(at, kFollowerClearance)) {
         return false;
       }
     }
@@ -182,7 +181,7 @@ class WayLayer {
   }
 
   const RouteConfig& config_;
-  const RoomPlan& plan_;
+  const FreeFloor& floor_;
   double room_;
   double step_;
   Random& random_;
@@ -259,6 +258,7 @@ bool has_all(const RouteConfig& config, const RouteFacts& facts) {
 Route plan_route(const RouteConfig& config, const RoomPlan& plan, const Random& random) {
   const double length =
       config.gap + std::max(config.speed.middle() * config.horizon.count(), config.gap);
+  const FreeFloor floor(plan);
   for (int i = 0; i < config.tries; ++i) {
     Random dice = random.fork("route", static_cast<std::uint64_t>(i));
     // Rooms where the first half of the tries finds nothing are narrow: keep less clearance.
@@ -266,7 +266,7 @@ Route plan_route(const RouteConfig& config, const RoomPlan& plan, const Random& 
     const double room = config.clearance + share * (config.least_clearance - config.clearance);
     Route route;
     route.lead_at = config.gap;
-    auto way = WayLayer(config, plan, room, route.step, dice).lay(length);
+    auto way = WayLayer(config, floor, room, route.step, dice).lay(length);
     if (!way) continue;
     route.points = std::move(*way);
     choose_stands(config, route, dice);

@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+#include "core/random.h"
+
 namespace pacer::sim {
 namespace {
 
@@ -30,6 +32,17 @@ TEST(FloorPlan, ClearanceOfATurnedObstacleIsMeasuredFromItsSidesAndCorners) {
 TEST(FloorPlan, ClearanceInsideAnObstacleIsNegative) {
   const RoomPlan plan = room_with({.centre = {1.0, 1.0}, .half = {0.5, 0.5}, .yaw = 0.7});
   EXPECT_NEAR(clearance(plan, {1.0, 1.0}), -0.5, 1e-12);
+}
+
+TEST(FreeFloor, AnswersAsTheClearanceDoesEverywhere) {
+  const RoomPlan plan = room_with({.centre = {0.7, -0.4}, .half = {0.6, 0.3}, .yaw = 0.5});
+  const FreeFloor floor(plan);
+  Random random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector2d point(random.uniform(-4.5, 4.5), random.uniform(-3.5, 3.5));
+    const double wanted = random.uniform(-0.1, 0.8);
+    ASSERT_EQ(floor.has(point, wanted), clearance(plan, point) >= wanted);
+  }
 }
 
 TEST(FloorPlan, WrappedAnglesAreTheSameDirectionWithinHalfATurn) {
