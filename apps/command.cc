@@ -40,13 +40,19 @@ RunControl CommonOptions::control(const std::stop_token& stop) const {
 
 void CommonOptions::write_json(const nlohmann::ordered_json& result) const {
   if (json.empty()) return;
-  const std::filesystem::path aside = json.string() + ".part";
+  // What is no plain file (a pipe, /dev/stdout) is written to; it must not be replaced.
+  std::error_code error;
+  const auto kind = std::filesystem::symlink_status(json, error).type();
+  const bool replace =
+      kind == std::filesystem::file_type::not_found || kind == std::filesystem::file_type::regular;
+  const std::filesystem::path aside = replace ? json.string() + ".part" : json.string();
   std::ofstream stream(aside);
   stream << result.dump(2) << '\n';
   stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(aside, json, error);
+  error.clear();
+  if (stream && replace) std::filesystem::rename(aside, json, error);
   if (!stream || error) {
+    if (replace) std::filesystem::remove(aside, error);
     throw std::runtime_error(json.string() + ": cannot be written; check the folder and the disk");
   }
 }

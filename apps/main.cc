@@ -33,6 +33,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return 0;
+  } catch (const CLI::RequiredError& error) {
+    if (argc > 1 && app.get_subcommands().empty()) {
+      fmt::print(stderr, "pacer: {}: no such command; `pacer --help` lists them\n", argv[1]);
+      return kBadUsage;
+    }
+    return app.exit(error) == 0 ? 0 : kBadUsage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kBadUsage;
   } catch (const pacer::Unfinished&) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # MuJoCo::MuJoCo, from an installed copy (MuJoCo_ROOT, system) or the one scripts/setup fetched.
-set(_fetched ${CMAKE_CURRENT_LIST_DIR}/../.deps/mujoco)
+set(_fetched ${PACER_DEPS_DIR}/mujoco)
 find_path(MuJoCo_INCLUDE_DIR mujoco/mujoco.h HINTS ${_fetched}/include)
 file(GLOB _versioned ${_fetched}/libmujoco.so.*)  # the wheel carries no plain .so link
 find_library(MuJoCo_LIBRARY NAMES mujoco)

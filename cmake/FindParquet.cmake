@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Parquet::Parquet (with Arrow::Arrow), from an installed copy or the one scripts/setup fetched.
-set(_fetched ${CMAKE_CURRENT_LIST_DIR}/../.deps/pyarrow)
+set(_fetched ${PACER_DEPS_DIR}/pyarrow)
 find_path(Parquet_INCLUDE_DIR parquet/arrow/writer.h HINTS ${_fetched}/include)
 foreach(_name arrow parquet)
   find_library(Parquet_${_name}_LIBRARY NAMES ${_name})

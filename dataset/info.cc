@@ -161,9 +161,9 @@ Json statistics_json(const StatisticsByFeature& statistics, const DatasetInfo& i
   for (const auto& [name, feature] : statistics) {
     const bool image = is_image(info, name);
     const bool integer = is_integer(info, name);
-    const auto values = [&](auto&& of, bool whole) {
+    const auto values = [&, &components = feature.components](auto&& of, bool whole) {
       Json list = Json::array();
-      for (const ValueStatistics& value : feature.components) {
+      for (const ValueStatistics& value : components) {
         Json number = whole ? Json(static_cast<std::int64_t>(of(value))) : Json(of(value));
         list.push_back(image ? Json::array({Json::array({number})}) : number);
       }

@@ -26,7 +26,7 @@ std::shared_ptr<arrow::DataType> value_type(ValueType type) {
 }
 
 std::shared_ptr<arrow::DataType> column_type(const Feature& column) {
-  const auto values = value_type(column.type);
+  auto values = value_type(column.type);
   if (column.width == 1) return values;
   return arrow::fixed_size_list(arrow::field("element", values), static_cast<int>(column.width));
 }
@@ -75,7 +75,7 @@ struct ColumnBuffer {
                          : column.type == ValueType::kFloat64 ? arrow::Buffer::Wrap(doubles)
                                                               : arrow::Buffer::Wrap(integers);
     const std::size_t count = floats.size() + doubles.size() + integers.size();
-    const auto values = arrow::MakeArray(arrow::ArrayData::Make(
+    auto values = arrow::MakeArray(arrow::ArrayData::Make(
         value_type(column.type), static_cast<std::int64_t>(count), {nullptr, wrapped}, 0));
     if (column.width == 1) return values;
     return std::make_shared<arrow::FixedSizeListArray>(

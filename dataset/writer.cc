@@ -73,6 +73,7 @@ struct DatasetWriter::Impl {
       }
     }
     make_folder(layout.root() / "meta");
+    make_folder(layout.unfinished());
     replace_text(layout.scenario(), aside("scenario.yaml"), spec.scenario);
     write_tasks_file(aside("tasks.parquet"), spec.task);
     sync(aside("tasks.parquet"));
@@ -276,7 +277,6 @@ DatasetWriter::DatasetWriter(fs::path root, DatasetSpec spec)
   make_folder(layout.root());
   my.lock.emplace(layout.root());
   if (!fs::exists(layout.info())) {
-    make_folder(layout.unfinished());
     my.create();
     return;
   }

@@ -87,6 +87,7 @@ TEST(DatasetWriter, LeavesAForeignFolderAlone) {
   EXPECT_THAT(refusal(scratch / "home", small_spec()), HasSubstr("neither a dataset nor empty"));
   EXPECT_THAT(refusal(scratch / "home" / "letter.txt", small_spec()), HasSubstr("not a folder"));
   EXPECT_EQ(read_text(scratch / "home" / "letter.txt"), "dear");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch / "home"), {}), 1);
 }
 
 TEST(DatasetWriter, NeverPassesOverALostEpisode) {

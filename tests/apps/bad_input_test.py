@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the world does wrong is answered by one line that says what, where and what to do."""
+
+import os
+import resource
+import shutil
+import signal
+import unittest
+
+from pacer_command import (BAD_USAGE, DRIVES, FAILED, MODEL, SCENARIO, SMALL, CommandTest, collect,
+                           main, settings, train)
+
+OTHER_SIZE = settings(simulated__duration_s=2, simulated__camera__width_px=128,
+                      simulated__camera__height_px=96)
+
+
+def little_room():
+    """In the child: no file may grow beyond 20 kB, as on a disk that is nearly full."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+
+
+class BadInput(CommandTest):
+
+    def drive(self, policy, *rest):
+        return ["drive", SCENARIO, *SMALL, "--policy", policy, *rest]
+
+    def test_a_truncated_model_is_refused(self):
+        whole = MODEL.read_bytes()
+        model = self.scratch / "cut.model"
+        for size in [0, 3, 40, len(whole) // 2, len(whole) - 1]:
+            model.write_bytes(whole[:size])
+            for command in [self.drive(model), ["inspect", model]]:
+                self.assertIn(str(model), self.refusal(*command, status=FAILED))
+
+    def test_a_model_with_a_flipped_bit_is_refused(self):
+        damaged = bytearray(MODEL.read_bytes())
+        damaged[len(damaged) // 2] ^= 4
+        model = self.scratch / "flipped.model"
+        model.write_bytes(damaged)
+        self.assertIn(str(model), self.refusal("inspect", model, status=FAILED))
+
+    def test_what_is_no_model_is_refused(self):
+        self.assertIn(SCENARIO, self.refusal(*self.drive(SCENARIO), status=FAILED))
+
+    def test_a_model_for_another_camera_is_refused(self):
+        line = self.refusal("drive", SCENARIO, *OTHER_SIZE, "--policy", MODEL, status=FAILED)
+        self.assertIn("160 x 120", line)
+        self.assertIn("128 x 96", line)
+
+    def test_a_dataset_of_another_camera_or_rate_is_left_as_it_is(self):
+        out = self.scratch / "d"
+        shutil.copytree(DRIVES, out)
+        for other in [settings(simulated__camera__width_px=128),
+                      settings(simulated__camera__frame_rate_hz=20)]:
+            self.assertIn(str(out), self.refusal(*collect(out, episodes=4), *other,
+                                                 status=BAD_USAGE))
+        self.assert_same_trees(DRIVES, out)
+
+    def test_a_folder_of_something_else_is_left_as_it_is(self):
+        out = self.scratch / "letters"
+        out.mkdir()
+        (out / "letter.txt").write_text("dear")
+        self.refusal(*collect(out), status=BAD_USAGE)
+        self.assertEqual([path.name for path in out.iterdir()], ["letter.txt"])
+
+    def test_learning_from_what_is_no_dataset_is_refused(self):
+        empty = self.scratch / "empty"
+        empty.mkdir()
+        for dataset in [empty, self.scratch / "missing"]:
+            line = self.refusal(*train(self.scratch / "m", dataset), status=BAD_USAGE)
+            self.assertIn(str(dataset), line)
+
+    def test_learning_from_a_damaged_dataset_is_refused_and_leaves_no_model(self):
+        dataset = self.scratch / "d"
+        shutil.copytree(DRIVES, dataset)
+        video = next(dataset.glob("videos/**/*.mp4"))
+        video.write_bytes(video.read_bytes()[:2000])
+        line = self.refusal(*train(self.scratch / "m", dataset), status=FAILED)
+        self.assertIn(video.name, line)
+        self.assertEqual(list(self.scratch.glob("m*")), [])
+
+    def test_a_folder_that_cannot_be_made_is_named(self):
+        file = self.scratch / "file"
+        file.write_text("not a folder")
+        for command in [collect(file / "drives"), train(file / "m"),
+                        self.drive("neutral", "--video", file / "drive.mp4"),
+                        self.drive("neutral", "--json", file / "drive.json")]:
+            self.assertIn(str(file), self.refusal(*command, status=FAILED))
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
+    def test_a_folder_that_may_not_be_written_is_named(self):
+        self.scratch.chmod(0o500)
+        self.addCleanup(self.scratch.chmod, 0o700)
+        for command in [collect(self.scratch / "drives"), train(self.scratch / "m")]:
+            self.assertIn(str(self.scratch), self.refusal(*command, status=FAILED))
+
+    def test_a_disk_that_fills_up_while_recording_loses_nothing_that_was_there(self):
+        out = self.scratch / "d"
+        self.pacer(*collect(out, episodes=1))
+        line = self.refusal(*collect(out), status=FAILED, preexec_fn=little_room)
+        self.assertIn(str(out), line)
+        self.pacer("inspect", out)
+        self.pacer(*collect(out))
+        self.assert_same_trees(DRIVES, out)
+
+    def test_a_disk_that_fills_up_while_a_model_is_written_leaves_the_old_one(self):
+        model = self.scratch / "m"
+        model.write_text("the old one")
+        self.refusal(*train(model), status=FAILED, preexec_fn=little_room)
+        self.assertEqual(model.read_text(), "the old one")
+        self.assertEqual([path.name for path in self.scratch.iterdir()], ["m"])
+
+    def test_a_disk_that_fills_up_under_a_report_leaves_the_old_one(self):
+        report = self.scratch / "report.html"
+        report.write_text("the old one")
+        self.refusal("evaluate", SCENARIO, *SMALL, "--policy", "neutral", "--episodes", 1,
+                     "--clips", 0, "--out", report, status=FAILED, preexec_fn=little_room)
+        self.assertEqual(report.read_text(), "the old one")
+        self.assertEqual([path.name for path in self.scratch.iterdir()], ["report.html"])
+
+    def test_a_full_device_is_named(self):
+        link = self.scratch / "full"
+        link.symlink_to("/dev/full")
+        line = self.refusal("inspect", DRIVES, "--quick", "--json", link, status=FAILED)
+        self.assertIn(str(link), line)
+        self.assertTrue(link.is_symlink())
+
+    def test_a_machine_without_opengl_is_told_so(self):
+        line = self.refusal(*self.drive("neutral"), status=FAILED,
+                            env={**os.environ, "MUJOCO_EGL_DEVICE_ID": "999"})
+        self.assertIn("MUJOCO_EGL_DEVICE_ID", line)
+
+
+if __name__ == "__main__":
+    main()
