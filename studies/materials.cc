@@ -37,7 +37,7 @@ std::filesystem::path Materials::recording(Purpose purpose, std::uint64_t episod
       fmt::format("{} {}", static_cast<int>(purpose), to_yaml(context_.scenario));
   // One folder however many episodes: a longer recording begins with the shorter one, but a study
   // must not see more than it asked for.
-  const std::filesystem::path folder = place(fmt::format("drives-{}", episodes), made_of);
+  std::filesystem::path folder = place(fmt::format("drives-{}", episodes), made_of);
   if (!collect(context_.scenario, purpose, episodes, folder, context_.control).whole) {
     throw StudyStopped();
   }
@@ -45,7 +45,7 @@ std::filesystem::path Materials::recording(Purpose purpose, std::uint64_t episod
 }
 
 std::filesystem::path Materials::model(std::uint64_t episodes) const {
-  const std::filesystem::path file =
+  std::filesystem::path file =
       place("model", fmt::format("{} {}", episodes, to_yaml(context_.scenario)));
   if (!std::filesystem::exists(file)) {
     (void)train_affordance(context_.scenario, recording(Purpose::kCollect, episodes), file,
