@@ -8,6 +8,7 @@ namespace pacer::sim {
 
 void Pursuer::advance(const FloorPose& lead) {
   constexpr double kSharpest = 1.0 / 0.6;  // 1/m
+  constexpr double kFastest = 0.62;        // m/s
   constexpr double kPace = 0.35;           // seconds that its speed takes to change
   const Sight late = seen_[next_];
   seen_[next_] = {bearing(lead), (lead.position - pose_.position).norm()};
@@ -16,8 +17,9 @@ void Pursuer::advance(const FloorPose& lead) {
   const double curvature =
       std::clamp(2.5 * late.bearing * (1.0 + edge * edge), -kSharpest, kSharpest);
   const double wanted =
-      late.distance > 0.7
-          ? std::clamp(1.2 * (late.distance - 0.95) + 0.8 * std::abs(late.bearing), 0.0, 1.0)
+      late.distance > 0.9
+          ? std::clamp(0.35 + 0.85 * (late.distance - 1.08) + 0.23 * std::abs(late.bearing), 0.0,
+                       kFastest)
           : 0.0;
   speed_ += (wanted - speed_) * kTick / kPace;
   const double turn = speed_ * curvature * kTick;

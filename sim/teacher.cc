@@ -105,8 +105,9 @@ Command Teacher::wish(const Percept& now) {
   const double liking = std::max(distance_ + mood_, config_.halt + 0.1);
   const bool leaving = now.edge != 0 || std::abs(now.bearing) > config_.side;
   const double soon = now.distance + config_.foresight * std::min(opening_, 0.0);
-  constexpr double kAside = 0.05;  // metres: a lead that is not ahead may come nearer
-  if (soon < config_.panic - (leaving ? kAside : 0.0)) {
+  constexpr double kAside = 0.05;     // metres: a lead that is not ahead may come nearer
+  constexpr double kClosing = -0.05;  // m/s: who stands need not brake
+  if (soon < config_.panic - (leaving ? kAside : 0.0) && opening_ < kClosing) {
     wish.throttle = -config_.brake;
   } else if (now.distance > config_.halt || leaving) {
     const double wanted = config_.cruise + eagerness_ * (now.distance - liking) +

@@ -22,11 +22,11 @@ struct TeacherConfig {
   double cruise = 0.22;         ///< stick, at the distance it likes
   Range eagerness{0.32, 0.43};  ///< stick per metre too far
   Range looming{0.18, 0.26};    ///< stick per m/s of the gap opening
-  double bend = 0.10;           ///< stick per radian of bearing: a car has to roll to turn
+  double bend = 0.22;           ///< stick per radian of bearing: a car has to roll to turn
   double side = 0.30;      ///< radians of bearing from which the lead is about to leave the picture
   double roll = 0.31;      ///< stick, at least, then: a car that stands cannot turn
   double halt = 0.56;      ///< metres: no throttle nearer than this
-  double panic = 0.50;     ///< metres: brakes, when it will be nearer than this
+  double panic = 0.46;     ///< metres: brakes, when it will be nearer than this
   double foresight = 0.5;  ///< seconds from now
   double most = 0.34;      ///< stick, at most ahead
   double brake = 0.30;     ///< stick, of braking
