@@ -29,7 +29,7 @@ struct TeacherConfig {
   double panic = 0.46;     ///< metres: brakes, when it will be nearer than this
   double foresight = 0.5;  ///< seconds from now
   double most = 0.34;      ///< stick, at most ahead
-  double brake = 0.30;     ///< stick, of braking
+  double brake = 0.12;     ///< stick, of braking
   Range steering{1.60, 2.00};     ///< stick per radian of bearing: above what geometry asks
   Range correction{0.15, 0.30};   ///< seconds that it looks ahead along the bearing's drift
   double hasty = 0.40;            ///< radians of bearing that it answers twice as hard as that

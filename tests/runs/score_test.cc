@@ -70,7 +70,7 @@ TEST(FollowingScore, TwoSecondsOutOfViewAreForgivenAndMoreAreNot) {
 
 TEST(FollowingScore, AFlickerIsNoLossNorIsTheTimeBeforeTheLeadIsSeen) {
   const EpisodeScore score = score_of(
-      [](std::uint64_t i) { return Moment{.visible = i < 20 || i % 50 < 5 ? 0.0F : 1.0F}; });
+      [](std::uint64_t i) { return Moment{.visible = i < 20 || i % 50 < 4 ? 0.0F : 1.0F}; });
   EXPECT_EQ(score.losses, 0);
   EXPECT_TRUE(score.followed);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -76,10 +77,17 @@ TEST(Teacher, IsFasterWhenTheLeadLooksSmaller) {
   EXPECT_GT(far.watch(50).throttle, near.watch(50).throttle + 0.1);
 }
 
-TEST(Teacher, BrakesCloseBehindAndNeverReverses) {
+TEST(Teacher, BrakesWhenANearLeadComesNearerAndNotAtRest) {
   Teaching teaching;
-  teaching.show(0.0, 0.4);
-  EXPECT_LT(teaching.watch(50).throttle, -0.1);
+  teaching.show(0.0, 0.8);
+  (void)teaching.watch(25);
+  double least = 0.0;
+  for (double distance = 0.8; distance > 0.4; distance -= 0.02) {
+    teaching.show(0.0, distance);
+    least = std::min(least, teaching.watch(1).throttle);
+  }
+  EXPECT_LT(least, -0.05);
+  EXPECT_EQ(teaching.watch(50).throttle, 0.0);
 }
 
 TEST(Teacher, TakesALeadSeenFromTheSideToBeAsFarAsFromBehind) {

@@ -21,7 +21,10 @@ AffordanceConfig small_config() {
   AffordanceConfig config;
   config.words.samples = 4000;
   config.words.iterations = 10;
+  config.features.top = 0.25;
+  config.features.max_size = 8.0;
   config.transactions.wanted = 12000;
+  config.transactions.common_item_percent = 100.0;  // a picture with little in it
   config.mining.support_percent = 0.1;
   config.mining.max_items = 4;
   config.selection.max_rules = 200;

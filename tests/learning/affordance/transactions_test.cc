@@ -41,8 +41,8 @@ TEST(Transactions, AreAnEvenThinningOfAboutTheWantedNumber) {
 
 TEST(Transactions, HoldAscendingDistinctItems) {
   const std::vector<FeatureLog> log = {episode(10, 60, Random(3))};
-  const TransactionDatabase database =
-      build_transactions(log, ItemLayout(random_vocabulary(50, 5, 5)), {}, {}, 3);
+  const TransactionDatabase database = build_transactions(
+      log, ItemLayout(random_vocabulary(50, 5, 5)), {}, {.common_item_percent = 100.0}, 3);
   ASSERT_GT(database.size(), 100U);
   for (std::size_t t = 0; t < database.size(); ++t) {
     const std::span<const Item> items = database.transaction(t);
