@@ -238,10 +238,11 @@ std::unique_ptr<GlContext::Backend> open_egl(std::string& failures) {
     return nullptr;
   });
   if (devices.empty() && failures.empty()) failures = "EGL devices: none found";
-  for (const auto& [device, path] : devices) {
-    auto backend = attempt(path, failures, [&device, &path] {
+  for (const auto& device : devices) {
+    auto backend = attempt(device.second, failures, [&device] {
       return std::make_unique<EglBackend>(
-          egl(), egl().get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr), path);
+          egl(), egl().get_platform_display(EGL_PLATFORM_DEVICE_EXT, device.first, nullptr),
+          device.second);
     });
     if (backend) return backend;
   }
