@@ -22,7 +22,7 @@ struct DriveCommand {
     const DriveReport report = drive_once(common.load(scenario), sources.front(), options, control);
     progress.finish();
     nlohmann::ordered_json json = {{"frames", report.frames}};
-    if (report.score) {
+    if (report.score && report.whole) {
       const EpisodeScore& score = *report.score;
       fmt::print("{}: {}{}{}{}\n", sources.front().name(),
                  score.followed ? "followed" : "not followed", score.collided ? ", collided" : "",
@@ -36,6 +36,10 @@ struct DriveCommand {
     }
     if (!options.video.empty()) fmt::print("{}: the video\n", options.video.string());
     common.write_json(json);
+    if (!report.whole) {
+      fmt::print(stderr, "interrupted: the episode is not scored\n");
+      throw Unfinished{};
+    }
   }
 };
 

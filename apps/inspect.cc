@@ -24,7 +24,9 @@ struct InspectCommand {
     if (std::filesystem::is_directory(what)) {
       inspect_dataset();
     } else if (what.extension() == ".yaml" || what.extension() == ".yml") {
-      fmt::print("{}", to_yaml(common.load(what)));
+      const std::string yaml = to_yaml(common.load(what));
+      fmt::print("{}", yaml);
+      common.write_json({{"scenario", yaml}});
     } else if (std::filesystem::is_regular_file(what)) {
       inspect_model();
     } else {

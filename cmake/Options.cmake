@@ -21,7 +21,7 @@ set(_warnings
   $<$<BOOL:${PACER_WERROR}>:-Werror>)
 target_compile_options(pacer_options INTERFACE
   $<BUILD_INTERFACE:${_warnings}>
-  -ffp-contract=off)  # the same arithmetic with and without FMA
+  $<BUILD_INTERFACE:-ffp-contract=off>)  # the same arithmetic with and without FMA
 if(PACER_SANITIZE)
   target_compile_options(pacer_options INTERFACE
     -fsanitize=${PACER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
@@ -39,7 +39,7 @@ function(pacer_library name)
   set_target_properties(pacer_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_include_directories(pacer_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
-    $<INSTALL_INTERFACE:include/pacer>)
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pacer>)
   target_link_libraries(pacer_${name} PUBLIC pacer_options)
 endfunction()
 
@@ -75,6 +75,7 @@ endif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels})
   foreach(suite ${ARG_TOGETHER})
     add_test(NAME ${suite} COMMAND ${name} --gtest_filter=${suite}.*)
-    set_tests_properties(${suite} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})
+    set_tests_properties(${suite} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT}
+      FAIL_REGULAR_EXPRESSION "Running 0 tests")
   endforeach()
 endfunction()

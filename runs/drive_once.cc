@@ -92,6 +92,7 @@ DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
   Sinks all(sinks);
   DriveReport report;
   report.frames = drive(*car, *policy, scenario.limits, scenario.channels, all, control.stop);
+  report.whole = !control.stop.stop_requested();
   if (film) film->close();
   if (score) report.score = score->score();
   return report;

@@ -21,6 +21,7 @@ struct DriveOptions {
 
 struct DriveReport {
   std::uint64_t frames = 0;
+  bool whole = true;                  ///< false where a stop was requested before the end
   std::optional<EpisodeScore> score;  ///< none where the car has no privileged signals
 };
 

@@ -65,15 +65,17 @@ bool FollowingScore::write(const Frame& frame, const Step& step) {
     ++frames_seen_;
     bearing_sum_ += std::abs(static_cast<double>(step.signals[bearing_]));
   }
+  // Times of frames are rounded: none of them shall decide.
+  constexpr Seconds kRounding{1e-6};
   // Interference hides the lead for a few frames at a time: that is no loss.
   constexpr Seconds kFlicker{0.2};
-  if (frames_seen_ > 0 && !missed_ && frame.time - last_seen_ > kFlicker) {
+  if (frames_seen_ > 0 && !missed_ && frame.time - last_seen_ > kFlicker + kRounding) {
     missed_ = true;
     ++result_.losses;
   }
 
   result_.collided = result_.collided || step.signals[collision_] > 0.0F;
-  result_.lost = result_.lost || last_ - last_seen_ > config_.longest_loss;
+  result_.lost = result_.lost || last_ - last_seen_ > config_.longest_loss + kRounding;
   const double out_of_range = static_cast<double>(frames_ - frames_in_range_);
   // The tolerance keeps 0.1 of 1500 frames at 150.
   const double allowed = std::floor((1.0 - config_.share_in_range) * frames_expected_ + 1e-6);

@@ -16,8 +16,8 @@ namespace pacer {
 struct EpisodeScore {
   bool followed = false;
   bool collided = false;
-  int losses = 0;              ///< times the lead went out of view for more than 0.2 s
-  bool lost = false;           ///< out of view for longer than allowed
+  int losses = 0;     ///< times it was out of view for more than 0.2 s, once it had been seen
+  bool lost = false;  ///< out of view for longer than allowed
   bool out_of_range = false;   ///< too near or too far for too long
   double driven_s = 0.0;       ///< less than the whole where it failed
   double in_view = 0.0;        ///< share of frames with some of the lead visible

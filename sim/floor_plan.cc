@@ -52,9 +52,9 @@ FreeFloor::FreeFloor(const RoomPlan& plan)
 
 bool FreeFloor::has(const Eigen::Vector2d& point, double wanted) const noexcept {
   const Eigen::Vector2d place = (point + plan_.half_extent) / kCell;
-  if (!(place.minCoeff() > -0.5) || place.x() >= columns_ - 0.5 || place.y() >= rows_ - 0.5) {
-    return clearance(plan_, point) >= wanted;  // beyond the walls
-  }
+  const bool on_grid =
+      place.x() > -0.5 && place.y() > -0.5 && place.x() < columns_ - 0.5 && place.y() < rows_ - 0.5;
+  if (!on_grid) return clearance(plan_, point) >= wanted;  // beyond the walls
   const auto column = static_cast<std::size_t>(place.x() + 0.5);
   const auto row = static_cast<std::size_t>(place.y() + 0.5);
   // A clearance changes by no more than one moves; the nearest node is half a diagonal off at most.

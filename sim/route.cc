@@ -13,13 +13,15 @@ namespace pacer::sim {
 void RouteConfig::validate() const {
   require(horizon.count() > 0.0 && horizon.count() <= 3600.0, "horizon_s: must lie in (0, 3600]");
   speed.validate("speed_mps", 0.15, 2.0);
-  require(sideways > 0.0, "sideways_mps2: must be positive");
-  require(acceleration > 0.0, "acceleration_mps2: must be positive");
+  require(sideways >= 0.02 && sideways <= 10.0, "sideways_mps2: must lie in [0.02, 10]");
+  require(acceleration >= 0.05 && acceleration <= 10.0,
+          "acceleration_mps2: must lie in [0.05, 10]");
   require(radius >= 0.55 && radius <= 2.0,
           "radius_m: must lie in [0.55, 2], the tightest that a car can follow being 0.55");
-  require(sharpness >= 0.5, "sharpness_per_m2: must be at least 0.5");
+  require(sharpness >= 0.5 && sharpness <= 100.0, "sharpness_per_m2: must lie in [0.5, 100]");
   require(least_clearance >= 0.3, "least_clearance_m: must be at least 0.3, about a car's length");
-  require(clearance >= least_clearance, "clearance_m: must be at least least_clearance_m");
+  require(clearance >= least_clearance && clearance <= 3.0,
+          "clearance_m: must lie in [least_clearance_m, 3]");
   require(gap >= 0.7 && gap <= 2.5, "gap_m: must lie in [0.7, 2.5]");
   require(least_distance >= 0.0, "least_distance_m: must not be negative");
   require(least_distance <= 0.8 * speed.high * horizon.count(),

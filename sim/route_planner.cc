@@ -26,7 +26,13 @@ void choose_stands(const RouteConfig& config, const Way& way, Route& route, Rand
     const double wanted = route.lead_at + share * 0.9 * reach;
     double best = wanted;
     double least = 1e9;
-    for (double at = wanted - 1.5; at < wanted + 1.5; at += 0.1) {
+    for (double at = std::max(wanted - 1.5, route.lead_at); at < wanted + 1.5; at += 0.1) {
+      constexpr double kApart = 1.0;  // metres: else two stands are one
+      if (std::ranges::any_of(route.stands, [at](const Stand& stand) {
+            return std::abs(stand.at - at) < kApart;
+          })) {
+        continue;
+      }
       const double turn = std::abs(wrapped(route.at(at + 1.3).pose.yaw - route.at(at).pose.yaw));
       if (turn < least) {
         least = turn;
@@ -79,8 +85,8 @@ bool has_all(const RouteConfig& config, const RouteFacts& facts) {
          facts.follower_clearance >= FollowerNeeds::kClearance;
 }
 
-/// Of several ways to stop and go along `way`, the one that shows the lead's side best; nothing
-/// where none has all that is demanded.
+/// Of several ways to stop and go along `way`, the first that shows the lead's side plainly,
+/// else the one that shows most of it; nothing where none has all that is demanded.
 std::optional<Route> best_timing(const RouteConfig& config, const RoomPlan& plan, const Way& way,
                                  Random& dice) {
   constexpr int kTimings = 6;
@@ -115,7 +121,7 @@ Route plan_route(const RouteConfig& config, const RoomPlan& plan, const Random& 
     const double room = config.clearance + share * (config.least_clearance - config.clearance);
     const auto way = lay_way(config, floor, room, Route{}.step, length, dice);
     if (!way) continue;
-    if (auto route = best_timing(config, plan, *way, dice)) return *route;
+    if (auto route = best_timing(config, plan, *way, dice)) return std::move(*route);
   }
   throw std::runtime_error("room '" + plan.kind + "': no route in " + std::to_string(config.tries) +
                            " tries: make the room larger or ask less of the route");

@@ -26,7 +26,7 @@ struct TeacherConfig {
   double side = 0.30;      ///< radians of bearing from which the lead is about to leave the picture
   double roll = 0.31;      ///< stick, at least, then: a car that stands cannot turn
   double halt = 0.56;      ///< metres: no throttle nearer than this
-  double panic = 0.46;     ///< metres: brakes, when it will be nearer than this
+  double panic = 0.46;     ///< metres: brakes, when it comes nearer than this
   double foresight = 0.5;  ///< seconds from now
   double most = 0.34;      ///< stick, at most ahead
   double brake = 0.12;     ///< stick, of braking

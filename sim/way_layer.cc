@@ -110,7 +110,7 @@ class WayLayer {
     return clearance(floor_.plan(), here.position + 0.8 * ahead + 1.2 * aside);
   }
 
-  /// Whether the next stop may come: they are spread over the way that the lead will get to.
+  /// Whether the next stop may come: none too early, so that they are spread over the way.
   [[nodiscard]] bool stop_due() const {
     const auto stops = static_cast<int>(std::ranges::count_if(laid_, &Laid::stop));
     constexpr double kFirst = 2.0;  // metres

@@ -163,9 +163,13 @@ void World::compile(mjSpec& spec) {
     throw std::runtime_error("the simulated room does not compile: " +
                              std::string(mjs_getError(&spec)));
   }
-  // By default MuJoCo writes warnings to a file in the working folder; advance() reads their
-  // counts.
-  mju_user_warning = [](const char*) {};
+  // MuJoCo would write warnings to a file in the working folder; advance() reads their counts. A
+  // handler that the program has set stays.
+  static const bool quiet = [] {
+    if (mju_user_warning == nullptr) mju_user_warning = [](const char*) {};
+    return true;
+  }();
+  (void)quiet;
   data_.reset(mj_makeData(model_.get()));
   if (!data_) throw std::runtime_error("no memory for the simulation of one room");
 }

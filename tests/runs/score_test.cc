@@ -58,19 +58,21 @@ TEST(FollowingScore, ACollisionEndsItAtOnce) {
 }
 
 TEST(FollowingScore, TwoSecondsOutOfViewAreForgivenAndMoreAreNot) {
-  const auto hidden_for = [](std::uint64_t frames) {
-    return score_of([frames](std::uint64_t i) {
-      return Moment{.visible = i > 200 && i <= 200 + frames ? 0.0F : 1.0F};
-    });
-  };
-  EXPECT_TRUE(hidden_for(50).followed);
-  EXPECT_EQ(hidden_for(50).losses, 1);
-  EXPECT_TRUE(hidden_for(51).lost);
+  for (const std::uint64_t last : {1U, 57U, 60U, 200U, 777U}) {  // seen before it is hidden
+    const auto hidden_for = [last](std::uint64_t frames) {
+      return score_of([frames, last](std::uint64_t i) {
+        return Moment{.visible = i > last && i <= last + frames ? 0.0F : 1.0F};
+      });
+    };
+    EXPECT_TRUE(hidden_for(50).followed) << last;
+    EXPECT_EQ(hidden_for(50).losses, 1) << last;
+    EXPECT_TRUE(hidden_for(51).lost) << last;
+  }
 }
 
 TEST(FollowingScore, AFlickerIsNoLossNorIsTheTimeBeforeTheLeadIsSeen) {
   const EpisodeScore score = score_of(
-      [](std::uint64_t i) { return Moment{.visible = i < 20 || i % 50 < 4 ? 0.0F : 1.0F}; });
+      [](std::uint64_t i) { return Moment{.visible = i < 20 || i % 50 < 5 ? 0.0F : 1.0F}; });
   EXPECT_EQ(score.losses, 0);
   EXPECT_TRUE(score.followed);
 }

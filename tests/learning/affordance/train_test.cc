@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "core/check.h"
 #include "learning/affordance/policy.h"
@@ -33,6 +34,8 @@ AffordanceConfig small_config() {
 }
 
 const Training& trained() {
+  // As the application has it; and the thread sanitizer cannot see into OpenCV's own threads.
+  cv::setNumThreads(1);
   static const Training training =
       train(PatchDemonstration(6, 100, 5), small_config(), Random(1), {});
   return training;
