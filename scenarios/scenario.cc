@@ -64,7 +64,8 @@ void read(Scenario& scenario, const YAML::Node& node, const std::string& source)
 }  // namespace
 
 void FollowingConfig::validate() const {
-  require(duration.count() > 0.0, "duration_s: must be positive");
+  require(duration.count() > 0.0 && duration.count() <= 3600.0,
+          "duration_s: must lie in (0, 3600]");
   require(longest_loss.count() > 0.0, "longest_loss_s: must be positive");
   require(nearest >= 0.0 && nearest < farthest, "nearest_m: must lie between 0 and farthest_m");
   require(share_in_range > 0.0 && share_in_range <= 1.0, "share_in_range: must lie in (0, 1]");

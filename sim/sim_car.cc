@@ -42,7 +42,8 @@ std::int64_t steps_per_frame(const CameraConfig& camera) {
 }
 
 void SimCarConfig::validate() const {
-  require(duration.count() > 0.0, "duration_s: must be positive");
+  require(duration.count() > 0.0 && duration.count() <= 3600.0,
+          "duration_s: must lie in (0, 3600]");
   command_delay.validate("command_delay_s", 0.0, 1.0);
   camera.validate();
   world.validate();
