@@ -2,6 +2,7 @@
 #include "runs/worker_pool.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -11,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -87,12 +89,23 @@ void send(int fd, std::uint32_t index, Kind kind, const std::string& text) {
   }
 }
 
+/// A worker keeps to one core and gives back what it no longer needs.
+void be_modest() {
+  ::setenv("LP_NUM_THREADS", "0", 0);  // Mesa would draw with a thread a processor
+#ifdef __GLIBC__
+  constexpr int kLarge = 1 << 20;  // bytes: a room's textures and buffers go when the room goes
+  ::mallopt(M_MMAP_THRESHOLD, kLarge);
+  ::mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
 /// The life of a worker: takes the next index until there is none. Never returns.
 [[noreturn]] void work(pid_t parent, int indices, int results, const WorkerTask& task) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // it died before it could be watched
   std::signal(SIGINT, SIG_IGN);           // Ctrl-C reaches the whole group: the parent decides
   std::signal(SIGTERM, SIG_DFL);
+  be_modest();
   std::uint32_t index = 0;
   while (read_all(indices, &index, sizeof index)) {
     send(results, index, kStarted, "");

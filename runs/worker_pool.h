@@ -18,7 +18,8 @@ using ResultSink = std::function<void(std::uint32_t index, std::string result)>;
 
 /// Does `task(index)` for every index in `jobs` worker processes (forked, so that each has a GL
 /// context and an address space of its own; they die with the parent). The results, and so
-/// whatever is made of them in order, do not depend on `jobs`.
+/// whatever is made of them in order, do not depend on `jobs`. A worker draws with one thread,
+/// unless LP_NUM_THREADS says otherwise.
 ///
 /// Returns false when `stop` ended it early: workers are told to end at once, and what came in
 /// order before that has been handed to `on_result`.

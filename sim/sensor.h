@@ -31,12 +31,19 @@ class Sensor {
     std::int32_t x;
     std::int32_t y;
   };
-  struct Tap;
+  struct Sweep {  // what the motion of a tile asks for: 2^shift taps, each a step on, 1/256 pixels
+    int shift;
+    std::int32_t step_x;
+    std::int32_t step_y;
+  };
+
+  std::span<const Sweep> sweep(std::span<const Eigen::Vector2f> field);
 
   ImageSize size_;
   SensorNoise noise_;
   std::vector<int> starts_;      // first column of each run of a row
   std::vector<Source> sources_;  // rows of runs
+  std::vector<Sweep> sweeps_;    // of the frame under way, a tile each
 };
 
 }  // namespace pacer::sim

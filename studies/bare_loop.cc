@@ -4,9 +4,10 @@
 #include <mujoco/mujoco.h>
 
 #include <chrono>
-#include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "core/check.h"
 #include "sim/gl_context.h"
 #include "sim/lens.h"
 #include "sim/renderer.h"
@@ -15,7 +16,7 @@
 namespace pacer {
 
 double bare_loop_frames_a_second(const sim::SimCarConfig& config, const Random& random,
-                                 std::uint64_t frames) {
+                                 const StepInputs& inputs) {
   const sim::CameraConfig& camera = config.camera;
   const sim::Lens lens(camera.lens, camera.size(), random.fork("lens"));
   const Seconds period{1.0 / camera.frame_rate_hz};
@@ -37,9 +38,14 @@ double bare_loop_frames_a_second(const sim::SimCarConfig& config, const Random& 
   const mjrRect whole{0, 0, camera.width, camera.height};
   std::vector<unsigned char> pixels(static_cast<std::size_t>(3 * camera.width * camera.height));
 
+  const std::int64_t frames = inputs.steps() / steps;
   const auto start = std::chrono::steady_clock::now();
-  for (std::uint64_t frame = 0; frame < frames; ++frame) {
-    for (std::int64_t step = 0; step < steps; ++step) mj_step(&model, data);
+  std::int64_t step = 0;
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    for (std::int64_t i = 0; i < steps; ++i) {
+      inputs.apply(model, step++, *data);
+      mj_step(&model, data);
+    }
     mjv_updateScene(&model, data, &shown, nullptr, &view, mjCAT_ALL, &scene);
     mjr_render(whole, &scene, &buffers);
     mjr_readPixels(pixels.data(), nullptr, whole, &buffers);
@@ -48,6 +54,11 @@ double bare_loop_frames_a_second(const sim::SimCarConfig& config, const Random& 
 
   mjv_freeScene(&scene);
   mjr_freeContext(&buffers);
+  for (; step < inputs.steps(); ++step) {
+    inputs.apply(model, step, *data);
+    mj_step(&model, data);
+  }
+  check(inputs.end_in(model, *data), "the bare loop takes the very steps of the drive");
   return static_cast<double>(frames) / taken.count();
 }
 
