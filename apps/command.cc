@@ -3,19 +3,30 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <thread>
 
-#include "core/check.h"
+#include "core/output_file.h"
 
 namespace pacer {
+
+CLI::Validator writable_file() {
+  return {[](const std::string& file) {
+            try {
+              const OutputFile tried(file);
+              return std::string();
+            } catch (const std::exception& error) {
+              return std::string(error.what());
+            }
+          },
+          ""};
+}
 
 void CommonOptions::add_to(CLI::App& command) {
   command.add_option("--set", set, "Change a scenario value, e.g. --set limits.throttle_cap=0.4")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command.add_option("--seed", seed, "The seed all chance comes from (default: the scenario's)");
-  command.add_option("--json", json, "Write the result to this file");
+  command.add_option("--json", json, "Write the result to this file")->check(writable_file());
   command.add_option("-j,--jobs", jobs, "Worker processes (default: one a processor)")
       ->check(CLI::Range(1, 256));
 }
@@ -40,21 +51,9 @@ RunControl CommonOptions::control(const std::stop_token& stop) const {
 
 void CommonOptions::write_json(const nlohmann::ordered_json& result) const {
   if (json.empty()) return;
-  // What is no plain file (a pipe, /dev/stdout) is written to; it must not be replaced.
-  std::error_code error;
-  const auto kind = std::filesystem::symlink_status(json, error).type();
-  const bool replace =
-      kind == std::filesystem::file_type::not_found || kind == std::filesystem::file_type::regular;
-  const std::filesystem::path aside = replace ? json.string() + ".part" : json.string();
-  std::ofstream stream(aside);
-  stream << result.dump(2) << '\n';
-  stream.close();
-  error.clear();
-  if (stream && replace) std::filesystem::rename(aside, json, error);
-  if (!stream || error) {
-    if (replace) std::filesystem::remove(aside, error);
-    throw std::runtime_error(json.string() + ": cannot be written; check the folder and the disk");
-  }
+  OutputFile file(json);
+  file.write(result.dump(2) + "\n");
+  file.keep();
 }
 
 }  // namespace pacer

@@ -33,6 +33,9 @@ struct CommonOptions {
   void write_json(const nlohmann::ordered_json& result) const;
 };
 
+/// For options that name a file to write: tries it before the work is done.
+[[nodiscard]] CLI::Validator writable_file();
+
 /// Thrown by a command that did what it could and has to end with status 1: interrupted, or a
 /// dataset with faults. What is to be said has been said.
 struct Unfinished {};

@@ -55,7 +55,7 @@ void add_evaluate(CLI::App& app, const std::stop_token& stop) {
       ->check(CLI::Range(1, 2000));
   command->add_option("--clips", options->options.clips, "Filmed episodes a policy")
       ->capture_default_str();
-  command->add_option("--out", options->out, "File of the report (HTML)");
+  command->add_option("--out", options->out, "File of the report (HTML)")->check(writable_file());
   options->common.add_to(*command);
   command->footer(
       "Example: pacer evaluate scenarios/follow.yaml --policy out/follow.model teacher neutral "

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <opencv2/imgcodecs.hpp>
+#include <vector>
 
 #include "apps/command.h"
 #include "core/check.h"
+#include "core/output_file.h"
 #include "dataset/contact_sheet.h"
 #include "learning/affordance/model.h"
 
@@ -35,9 +38,17 @@ struct InspectCommand {
   }
 
  private:
+  /// What the scenario recorded with the dataset says its task is.
+  [[nodiscard]] std::string recorded_task() const {
+    const std::filesystem::path scenario = what / "meta" / "scenario.yaml";
+    return std::filesystem::exists(scenario) ? load_scenario(scenario).task : Scenario{}.task;
+  }
+
   void inspect_dataset() const {
     if (mend) {
-      for (const std::string& line : dataset::repair(what)) fmt::print("mended  {}\n", line);
+      for (const std::string& line : dataset::repair(what, recorded_task())) {
+        fmt::print("mended  {}\n", line);
+      }
     }
     const dataset::Inspection found =
         dataset::inspect(what, quick ? dataset::Depth::kTables : dataset::Depth::kAll);
@@ -61,9 +72,11 @@ struct InspectCommand {
           {{"where", finding.where}, {"what", finding.what}, {"harms", finding.harms}});
     }
     if (!sheet.empty()) {
-      if (!cv::imwrite(sheet.string(), dataset::contact_sheet(dataset::Dataset(what)))) {
-        throw std::runtime_error(sheet.string() + ": cannot be written");
-      }
+      std::vector<std::uint8_t> png;
+      cv::imencode(".png", dataset::contact_sheet(dataset::Dataset(what)), png);
+      OutputFile file(sheet);
+      file.write({reinterpret_cast<const char*>(png.data()), png.size()});
+      file.keep();
       fmt::print("{}: the contact sheet\n", sheet.string());
     }
     common.write_json({{"episodes", summary.episodes},
@@ -75,7 +88,7 @@ struct InspectCommand {
       fmt::print("not whole; `pacer inspect {} --repair` keeps what is\n", what.string());
       throw Unfinished{};
     }
-    fmt::print("whole\n");
+    fmt::print("whole{}\n", summary.episodes == 0 ? ", and empty: `pacer collect` fills it" : "");
   }
 
   void inspect_model() const {
@@ -112,7 +125,8 @@ void add_inspect(CLI::App& app, const std::stop_token&) {
       app.add_subcommand("inspect", "What is in a dataset, model or scenario, and is it whole");
   command->add_option("WHAT", options->what, "A dataset's folder, a model or a scenario file")
       ->required();
-  command->add_option("--sheet", options->sheet, "Draw a dataset's contact sheet (PNG)");
+  command->add_option("--sheet", options->sheet, "Draw a dataset's contact sheet (PNG)")
+      ->check(writable_file());
   command->add_flag("--repair", options->mend,
                     "Keep a dataset's whole episodes, and drop the rest");
   command->add_flag("--quick", options->quick, "Leave out the videos");

@@ -33,14 +33,16 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return 0;
-  } catch (const CLI::RequiredError& error) {
-    if (argc > 1 && app.get_subcommands().empty()) {
-      fmt::print(stderr, "pacer: {}: no such command; `pacer --help` lists them\n", argv[1]);
-      return kBadUsage;
-    }
-    return app.exit(error) == 0 ? 0 : kBadUsage;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadUsage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help, or the version
+    const auto named = app.get_subcommands();
+    if (named.empty() && argc > 1) {
+      fmt::print(stderr, "pacer: {}: no such command; `pacer --help` lists them\n", argv[1]);
+    } else {
+      fmt::print(stderr, "pacer: {}; `pacer{} --help` shows how\n", error.what(),
+                 named.empty() ? "" : " " + named.front()->get_name());
+    }
+    return kBadUsage;
   } catch (const pacer::Unfinished&) {
     return kFailed;
   } catch (const pacer::UsageError& error) {

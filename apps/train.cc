@@ -5,7 +5,7 @@
 
 #include "apps/command.h"
 #include "apps/terminal_progress.h"
-#include "core/check.h"
+#include "dataset/inspect.h"
 #include "dataset/reader.h"
 #include "runs/training_report.h"
 
@@ -19,6 +19,7 @@ struct TrainCommand {
   std::filesystem::path out;
 
   void run(const std::stop_token& stop) const {
+    require_whole();
     const dataset::Dataset recorded(dataset);
     const std::string source = (dataset / "meta" / "scenario.yaml").string();
     const Scenario scenario = parse_scenario(recorded.scenario(), source, common.overrides());
@@ -34,6 +35,18 @@ struct TrainCommand {
         out.string(), out.string());
     common.write_json(to_json(report));
   }
+
+ private:
+  /// A dataset whose files are not as they were written teaches something else.
+  void require_whole() const {
+    const dataset::Inspection found = dataset::inspect(dataset, dataset::Depth::kFiles);
+    for (const dataset::Finding& finding : found.findings) {
+      if (!finding.harms) continue;
+      throw std::runtime_error(
+          fmt::format("{}: {}; `pacer inspect {} --repair` keeps what is whole",
+                      (dataset / finding.where).string(), finding.what, dataset.string()));
+    }
+  }
 };
 
 }  // namespace
@@ -45,7 +58,9 @@ void add_train(CLI::App& app, const std::stop_token& stop) {
       ->required()
       ->check(CLI::IsMember({"affordance"}));
   command->add_option("DATASET", options->dataset, "Folder of the dataset")->required();
-  command->add_option("--out", options->out, "File of the model")->required();
+  command->add_option("--out", options->out, "File of the model")
+      ->required()
+      ->check(writable_file());
   options->common.add_to(*command);
   command->footer(
       "Example: pacer train affordance out/drives --out out/follow.model\n"

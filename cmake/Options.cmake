@@ -23,13 +23,13 @@ target_compile_options(pacer_options INTERFACE
   $<BUILD_INTERFACE:${_warnings}>
   $<BUILD_INTERFACE:-ffp-contract=off>)  # the same arithmetic with and without FMA
 if(PACER_SANITIZE)
-  target_compile_options(pacer_options INTERFACE
-    -fsanitize=${PACER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  target_link_options(pacer_options INTERFACE -fsanitize=${PACER_SANITIZE})
+  set(_sanitized -fsanitize=${PACER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(pacer_options INTERFACE "$<BUILD_INTERFACE:${_sanitized}>")
+  target_link_options(pacer_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${PACER_SANITIZE}>)
 endif()
 if(PACER_COVERAGE)
-  target_compile_options(pacer_options INTERFACE --coverage)
-  target_link_options(pacer_options INTERFACE --coverage)
+  target_compile_options(pacer_options INTERFACE $<BUILD_INTERFACE:--coverage>)
+  target_link_options(pacer_options INTERFACE $<BUILD_INTERFACE:--coverage>)
 endif()
 
 # pacer_library(NAME source...): one static library a module, pacer_NAME, alias pacer::NAME.
@@ -56,7 +56,7 @@ function(pacer_test name)
   if("threads" IN_LIST ARG_LABEL)
     add_dependencies(threaded_tests ${name})
   endif()
-  if(NOT "render" IN_LIST ARG_LABEL AND NOT "integration" IN_LIST ARG_LABEL)
+  if(NOT "render" IN_LIST ARG_LABEL)
     add_dependencies(plain_tests ${name})
   endif()
   set(apart "*")

@@ -79,7 +79,7 @@ void check_rows(const Dataset& dataset, std::size_t episode, Inspection& into) {
   }
 }
 
-void check_video(const Dataset& dataset, std::size_t episode, Inspection& into) {
+void check_video(const Dataset& dataset, std::size_t episode, Depth depth, Inspection& into) {
   const EpisodeEntry& entry = dataset.episodes()[episode];
   const fs::path path = dataset.video_file(episode);
   const std::string where = place_in(dataset.root(), path);
@@ -89,6 +89,14 @@ void check_video(const Dataset& dataset, std::size_t episode, Inspection& into) 
     into.findings.push_back(
         {where, fmt::format("its pictures are {} x {}", size.width, size.height), true});
   }
+  const double rate = video.rate_hz();
+  if (rate > 0.0 && std::abs(rate - dataset.info().rate_hz) > 0.01 * rate) {
+    into.findings.push_back(
+        {where,
+         fmt::format("has {:.4g} pictures a second, its dataset {}", rate, dataset.info().rate_hz),
+         true});
+  }
+  if (depth != Depth::kAll) return;
   if (entry.video_from > 0.0) video.seek(Seconds{entry.video_from});
   const double end = entry.video_to - 0.5 / dataset.info().rate_hz;
   std::int64_t frames = 0;
@@ -126,7 +134,14 @@ void check_statistics(const Dataset& dataset, Inspection& into) {
 
 void check_hashes(const Dataset& dataset, Inspection& into) {
   const Layout layout(dataset.root());
-  if (!fs::exists(layout.hashes())) return;  // another program's
+  const bool hashed = fs::exists(layout.hashes());
+  const bool described = fs::exists(layout.scenario()) && fs::file_size(layout.scenario()) > 0;
+  if (!hashed && !described) return;  // another program's
+  if (!hashed || !described) {
+    const fs::path& lost = hashed ? layout.scenario() : layout.hashes();
+    into.findings.push_back({place_in(layout.root(), lost), "is missing or empty", true});
+    if (!hashed) return;
+  }
   finding_errors(into.findings, place_in(layout.root(), layout.hashes()), [&] {
     const auto hashes = nlohmann::ordered_json::parse(read_text(layout.hashes()));
     for (std::size_t i = 0; i < dataset.episodes().size(); ++i) {
@@ -222,13 +237,13 @@ Inspection inspect(const fs::path& root, Depth depth) {
       const std::string video = place_in(root, dataset.video_file(i));
       if (!fs::exists(dataset.video_file(i))) {
         findings.push_back({video, "is missing", true});
-      } else if (depth == Depth::kAll) {
-        finding_errors(findings, video, [&] { check_video(dataset, i, inspection); });
+      } else if (depth != Depth::kTables) {
+        finding_errors(findings, video, [&] { check_video(dataset, i, depth, inspection); });
       }
     }
     check_statistics(dataset, inspection);
     check_strays(dataset, inspection);
-    if (depth == Depth::kAll) check_hashes(dataset, inspection);
+    if (depth != Depth::kTables) check_hashes(dataset, inspection);
   });
   return inspection;
 }

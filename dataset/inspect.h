@@ -43,17 +43,20 @@ struct Inspection {
 
 enum class Depth {
   kTables,  ///< structure, lengths, indices, timestamps, statistics
-  kAll,     ///< and every video, picture by picture, and every hash
+  kFiles,   ///< and every file's hash, and every video's size and rate
+  kAll,     ///< and every video, picture by picture
 };
 
 /// Checks a dataset, trusting nothing. What is wrong is a finding, not an exception.
 /// Throws UsageError when there is no dataset at all.
 [[nodiscard]] Inspection inspect(const std::filesystem::path& root, Depth depth = Depth::kAll);
 
-/// Makes a damaged dataset whole: keeps its leading episodes that are, moves what comes after the
-/// first that is not into the folder `.dropped`, and writes info and statistics anew. Returns what
-/// was done, a line each; empty when nothing was. Throws UsageError when the dataset was written by
+/// Makes a damaged dataset whole: keeps its leading episodes that are, moves the first that is not
+/// and what comes after it into a new folder `.dropped`, `.dropped-2`, ..., and writes info and
+/// statistics anew; where its task can no longer be read, `task` is written. Returns what was done,
+/// a line each; empty when nothing was. Throws UsageError when the dataset was written by
 /// another program or its info is gone, std::runtime_error when a file cannot be moved.
-[[nodiscard]] std::vector<std::string> repair(const std::filesystem::path& root);
+[[nodiscard]] std::vector<std::string> repair(const std::filesystem::path& root,
+                                              const std::string& task);
 
 }  // namespace pacer::dataset

@@ -19,8 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The spec that a dataset was recorded with, from what it says of itself.
-DatasetSpec spec_of(const Layout& layout, const DatasetInfo& info) {
+DatasetSpec spec_of(const Layout& layout, const DatasetInfo& info, const std::string& task) {
   DatasetSpec spec;
+  spec.task = task;
   spec.image_size = info.image_size;
   spec.rate_hz = info.rate_hz;
   spec.camera = info.camera;
@@ -39,7 +40,7 @@ DatasetSpec spec_of(const Layout& layout, const DatasetInfo& info) {
   try {
     const std::vector<std::string> tasks = read_tasks_file(layout.tasks());
     if (tasks.size() == 1) spec.task = tasks.front();
-  } catch (const std::runtime_error&) {  // written anew, with the task it nearly always is
+  } catch (const std::runtime_error&) {  // written anew
   }
   return spec;
 }
@@ -77,9 +78,16 @@ std::string broken(const Layout& layout, const DatasetInfo& info,
   }
 }
 
+/// Where what is taken out goes: a folder of its own for each repair, so that none is overwritten.
+fs::path folder_for_dropped(const Layout& layout) {
+  fs::path folder = layout.root() / ".dropped";
+  for (int i = 2; fs::exists(folder); ++i) folder = layout.root() / fmt::format(".dropped-{}", i);
+  return folder;
+}
+
 /// Moves all files below a folder that belong to an episode from `first` on; returns how many.
 int drop_from(const Layout& layout, const fs::path& folder, const char* extension,
-              std::int64_t first) {
+              std::int64_t first, const fs::path& dropped_to) {
   if (!fs::is_directory(folder)) return 0;
   std::vector<fs::path> kept;
   for (std::int64_t i = 0; i < first; ++i)
@@ -92,7 +100,7 @@ int drop_from(const Layout& layout, const fs::path& folder, const char* extensio
     }
   }
   for (const fs::path& path : dropped) {
-    const fs::path to = layout.root() / ".dropped" / path.lexically_relative(layout.root());
+    const fs::path to = dropped_to / path.lexically_relative(layout.root());
     make_folder(to.parent_path());
     move(path, to);
   }
@@ -101,13 +109,13 @@ int drop_from(const Layout& layout, const fs::path& folder, const char* extensio
 
 }  // namespace
 
-std::vector<std::string> repair(const fs::path& root) {
+std::vector<std::string> repair(const fs::path& root, const std::string& task) {
   const Layout layout(root);
   if (!fs::exists(layout.info())) {
     throw UsageError(fmt::format("{}: no dataset: it has no meta/info.json", root.string()));
   }
   DatasetInfo info = read_info(layout.info());
-  const DatasetSpec spec = spec_of(layout, info);
+  const DatasetSpec spec = spec_of(layout, info, task);
   std::vector<std::string> done;
   {
     const FolderLock lock(root);
@@ -128,11 +136,12 @@ std::vector<std::string> repair(const fs::path& root) {
       frames += read_episode_file(layout.episode_file(whole), info, false).front().length;
       ++whole;
     }
-    int dropped = drop_from(layout, layout.episodes(), ".parquet", whole);
-    dropped += drop_from(layout, layout.data(), ".parquet", whole);
-    dropped += drop_from(layout, layout.videos(info.camera), ".mp4", whole);
+    const fs::path to = folder_for_dropped(layout);
+    int dropped = drop_from(layout, layout.episodes(), ".parquet", whole, to);
+    dropped += drop_from(layout, layout.data(), ".parquet", whole, to);
+    dropped += drop_from(layout, layout.videos(info.camera), ".mp4", whole, to);
     if (dropped > 0) {
-      done.push_back(fmt::format("moved {} files to {}", dropped, (root / ".dropped").string()));
+      done.push_back(fmt::format("moved {} files to {}", dropped, to.string()));
     }
     if (info.episodes != whole || info.frames != frames) {
       done.push_back(fmt::format("counted {} episodes, {} frames", whole, frames));

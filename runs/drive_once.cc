@@ -72,6 +72,7 @@ DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
     simulated = made.get();
     car = std::move(made);
   }
+  source.check_rate(rate_hz);
   const std::unique_ptr<Policy> policy = source.make(scenario, simulated, random.fork("policy"));
 
   DriveProgress progress(control, expected);

@@ -145,6 +145,7 @@ EvaluationRun evaluate(const Scenario& scenario, const std::vector<PolicySource>
                        const EvaluateOptions& options, const RunControl& control) {
   EvaluationRun run;
   for (const PolicySource& source : policies) {
+    source.check_rate(scenario.simulated.camera.frame_rate_hz);
     run.evaluation.policies.push_back({.name = source.name(), .episodes = {}, .response_ms = {}});
   }
   std::vector<std::uint32_t> indices(policies.size() * options.episodes);

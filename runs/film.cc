@@ -42,7 +42,7 @@ bool Film::write(const Frame& frame, const Step& step) {
                 .caption = fmt::format("{}, {:.1f} s", title_, frame.time.count())},
                drawn_);
   if (!encoder_) {
-    encoder_.emplace(file_, drawn_.size, rate_hz_,
+    encoder_.emplace(file_.path(), drawn_.size, rate_hz_,
                      dataset::VideoSettings{
                          .preset = "veryfast", .quality = 27, .key_frame_every = rate_hz_ * 2});
   }
@@ -53,7 +53,9 @@ bool Film::write(const Frame& frame, const Step& step) {
 }
 
 void Film::close() {
-  if (encoder_) encoder_->close();
+  if (!encoder_) return;
+  encoder_->close();
+  file_.keep();
 }
 
 }  // namespace pacer

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/drive.h"
+#include "core/output_file.h"
 #include "dataset/video.h"
 
 namespace pacer {
@@ -42,7 +43,7 @@ class Film final : public StepSink {
   [[nodiscard]] const Frame& still() const noexcept { return still_; }
 
  private:
-  std::filesystem::path file_;
+  OutputFile file_;
   int rate_hz_;
   Seconds longest_;
   std::string title_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs/policy_source.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <filesystem>
 
 #include "core/check.h"
@@ -59,6 +62,15 @@ std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::
       break;
   }
   return std::make_unique<ConstantPolicy>(constant_);
+}
+
+void PolicySource::check_rate(double rate_hz) const {
+  constexpr double kSame = 0.01;  // of the rate
+  if (!model_ || std::abs(model_->frame_rate_hz - rate_hz) <= kSame * rate_hz) return;
+  throw UsageError(
+      fmt::format("--policy {}: learnt from {} frames a second, and this car gives {}; train it "
+                  "on a dataset of that rate",
+                  name_, model_->frame_rate_hz, rate_hz));
 }
 
 }  // namespace pacer

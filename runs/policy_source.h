@@ -28,6 +28,10 @@ class PolicySource {
   [[nodiscard]] std::unique_ptr<Policy> make(const Scenario& scenario, const sim::SimCar* car,
                                              const Random& random) const;
 
+  /// Throws UsageError for a model that was learnt at another frame rate: what is learnt per frame
+  /// does not carry over.
+  void check_rate(double rate_hz) const;
+
   /// Null unless it is a model.
   [[nodiscard]] const std::shared_ptr<const affordance::Model>& model() const noexcept {
     return model_;

@@ -95,6 +95,7 @@ void be_modest() {
 #ifdef __GLIBC__
   constexpr int kLarge = 1 << 20;  // bytes: a room's textures and buffers go when the room goes
   ::mallopt(M_MMAP_THRESHOLD, kLarge);
+  ::mallopt(M_TRIM_THRESHOLD, 16 * kLarge);  // but not what every frame asks for again
   ::mallopt(M_ARENA_MAX, 1);
 #endif
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "core/check.h"
 #include "scenarios/yaml_fields.h"
@@ -31,7 +32,14 @@ const char* name_of(Purpose purpose) {
 
 YAML::Node parse_yaml(const std::string& text, const std::string& source) {
   try {
-    return YAML::Load(text);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) {
+      throw UsageError(
+          fmt::format("{}: holds {} documents, and a scenario is one; remove the lines "
+                      "`---`",
+                      source, documents.size()));
+    }
+    return documents.empty() ? YAML::Node() : documents.front();
   } catch (const YAML::Exception& error) {
     throw UsageError(fmt::format("{}:{}: {}", source, error.mark.line + 1, error.msg));
   }
@@ -55,8 +63,8 @@ YAML::Node nested(const std::string& assignment) {
   return node;
 }
 
-void read(Scenario& scenario, const YAML::Node& node, const std::string& source) {
-  YamlReader reader(node, source, "");
+void read(Scenario& scenario, const YAML::Node& node, const std::string& source, Places& places) {
+  YamlReader reader(node, source, "", places);
   scenario.fields(reader);
   reader.finish();
 }
@@ -74,7 +82,15 @@ void FollowingConfig::validate() const {
 void RoomSplit::validate() const {
   require(!demonstrated.empty(), "demonstrated: name at least one kind of room");
   require(!unseen.empty(), "unseen: name at least one kind of room");
+  const std::vector<std::string>& kinds = sim::room_kinds();
+  const auto known = [&kinds](const std::string& kind) {
+    return std::ranges::find(kinds, kind) != kinds.end();
+  };
+  for (const std::string& kind : demonstrated) {
+    require(known(kind), "demonstrated: \"" + kind + "\" is none of living, office, workshop");
+  }
   for (const std::string& kind : unseen) {
+    require(known(kind), "unseen: \"" + kind + "\" is none of living, office, workshop");
     require(std::ranges::find(demonstrated, kind) == demonstrated.end(),
             "unseen: \"" + kind + "\" is demonstrated too");
   }
@@ -103,9 +119,12 @@ Scenario parse_scenario(const std::string& text, const std::string& source,
                         std::span<const std::string> overrides) {
   Scenario scenario;
   const YAML::Node file = parse_yaml(text, source);
-  if (!file.IsNull()) read(scenario, file, source);
-  for (const std::string& assignment : overrides) read(scenario, nested(assignment), "--set");
-  FieldChecker(source, "").check_all(scenario);
+  Places places;
+  if (!file.IsNull()) read(scenario, file, source, places);
+  for (const std::string& assignment : overrides) {
+    read(scenario, nested(assignment), "--set", places);
+  }
+  FieldChecker(source, "", places).check_all(scenario);
   return scenario;
 }
 
@@ -127,6 +146,7 @@ Scenario load_scenario(const std::filesystem::path& file, std::span<const std::s
   if (text.size() > kLargestFile) {
     throw UsageError(file.string() + ": larger than 256 kB, so no scenario");
   }
+  if (text.empty()) throw UsageError(file.string() + ": is empty, so no scenario");
   return parse_scenario(text, file.string(), overrides);
 }
 

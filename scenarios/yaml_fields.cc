@@ -20,17 +20,22 @@ bool parse(std::string_view text, T& value) {
 /// The shortest decimal that reads back to the same double.
 std::string shortest(double value) { return fmt::format("{}", value); }
 
+constexpr double kLargest = 1e9;  // no quantity of a scenario is beyond it
+
 }  // namespace
 
-YamlReader::YamlReader(const YAML::Node& mapping, std::string source, std::string path)
-    : mapping_(mapping), source_(std::move(source)), path_(std::move(path)) {
+YamlReader::YamlReader(const YAML::Node& mapping, std::string source, std::string path,
+                       Places& places)
+    : mapping_(mapping), source_(std::move(source)), path_(std::move(path)), places_(places) {
   if (!mapping_.IsMap())
     fail(mapping_, path_.empty() ? "file" : path_, "expected `key: value` pairs");
 }
 
 void YamlReader::finish() const {
+  std::set<std::string> met;
   for (const auto& entry : mapping_) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
+    if (!met.insert(key).second) fail(entry.first, join(key), "is given twice; keep one of them");
     if (known_.contains(key)) continue;
     std::string names;
     for (const std::string& name : known_) names += (names.empty() ? "" : ", ") + name;
@@ -42,12 +47,15 @@ std::string YamlReader::join(std::string_view key) const {
   return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
 }
 
+std::string YamlReader::place(const YAML::Node& node) const {
+  const YAML::Mark mark = node.Mark();
+  if (mark.is_null() || source_ == "--set") return source_;
+  return fmt::format("{}:{}", source_, mark.line + 1);
+}
+
 void YamlReader::fail(const YAML::Node& node, const std::string& where,
                       const std::string& what) const {
-  const YAML::Mark mark = node.Mark();
-  const std::string line =
-      mark.is_null() || source_ == "--set" ? "" : fmt::format(":{}", mark.line + 1);
-  throw UsageError(fmt::format("{}{}: {}: {}", source_, line, where, what));
+  throw UsageError(fmt::format("{}: {}: {}", place(node), where, what));
 }
 
 void YamlReader::read(const YAML::Node& node, const std::string& where, bool& field) const {
@@ -71,8 +79,8 @@ void YamlReader::read(const YAML::Node& node, const std::string& where,
 
 void YamlReader::read(const YAML::Node& node, const std::string& where, double& field) const {
   double value = 0.0;
-  if (!node.IsScalar() || !parse(node.Scalar(), value) || !std::isfinite(value)) {
-    fail(node, where, "expected a number");
+  if (!node.IsScalar() || !parse(node.Scalar(), value) || !(std::abs(value) <= kLargest)) {
+    fail(node, where, "expected a number, a billion at most");
   }
   field = value;
 }

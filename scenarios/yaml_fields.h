@@ -4,6 +4,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -24,12 +26,16 @@ concept HasFields = requires(Config config, Visitor visit) {
   config.fields(visit);
 };
 
+/// Where each value that was given stands: its path, and "file:line" or "--set".
+using Places = std::map<std::string, std::string, std::less<>>;
+
 /// Reads one mapping into a config. Keys that are absent leave their field alone; a key that no
 /// field claims, or a value of the wrong kind, is a UsageError "file:line: path: what is wrong".
 class YamlReader {
  public:
   /// `source` is the file's name, or "--set"; `path` is the mapping's own, "" for the whole file.
-  YamlReader(const YAML::Node& mapping, std::string source, std::string path);
+  /// `places`, which must outlive it, learns where values stand.
+  YamlReader(const YAML::Node& mapping, std::string source, std::string path, Places& places);
 
   template <class T>
   void operator()(const char* key, T& field) {
@@ -38,11 +44,12 @@ class YamlReader {
     if (!node.IsDefined()) return;
     const std::string where = join(key);
     if constexpr (HasFields<T, YamlReader&>) {
-      YamlReader nested(node, source_, where);
+      YamlReader nested(node, source_, where, places_);
       field.fields(nested);
       nested.finish();
     } else {
       read(node, where, field);
+      places_[where] = place(node);
     }
   }
 
@@ -50,6 +57,7 @@ class YamlReader {
   void finish() const;
 
  private:
+  [[nodiscard]] std::string place(const YAML::Node& node) const;
   [[nodiscard]] std::string join(std::string_view key) const;
   [[noreturn]] void fail(const YAML::Node& node, const std::string& where,
                          const std::string& what) const;
@@ -68,6 +76,7 @@ class YamlReader {
   YAML::Node mapping_;
   std::string source_;
   std::string path_;
+  Places& places_;
   std::set<std::string, std::less<>> known_;
 };
 
@@ -103,30 +112,34 @@ class YamlWriter {
   YAML::Emitter& out_;
 };
 
-/// Calls `validate()` of every config in the tree, deepest first, and puts the config's path in
-/// front of what it throws: "simulated.camera.frame_rate_hz: must be positive", a UsageError.
+/// Calls `validate()` of every config in the tree, deepest first, and puts the value's place and
+/// the config's path in front of what it throws: "follow.yaml:7: simulated.camera.frame_rate_hz:
+/// must be positive", a UsageError.
 class FieldChecker {
  public:
-  FieldChecker(std::string source, std::string path)
-      : source_(std::move(source)), path_(std::move(path)) {}
+  /// `source` stands for the place of what was not given; `places` must outlive the checker.
+  FieldChecker(std::string source, std::string path, const Places& places)
+      : source_(std::move(source)), path_(std::move(path)), places_(places) {}
 
   template <class T>
   void operator()(const char* key, T& field) {
     if constexpr (HasFields<T, FieldChecker&>) {
-      const FieldChecker nested(source_, path_.empty() ? key : path_ + "." + key);
+      const FieldChecker nested(source_, path_.empty() ? key : path_ + "." + key, places_);
       nested.check_all(field);
     }
   }
 
   template <class T>
   void check_all(T& config) const {
-    FieldChecker each(source_, path_);
+    FieldChecker each(source_, path_, places_);
     config.fields(each);
     if constexpr (requires { config.validate(); }) {
       try {
         config.validate();
       } catch (const std::invalid_argument& error) {
-        throw UsageError(source_ + ": " + (path_.empty() ? "" : path_ + ".") + error.what());
+        const std::string what = (path_.empty() ? "" : path_ + ".") + error.what();
+        const auto given = places_.find(what.substr(0, what.find_first_of(":,")));
+        throw UsageError((given == places_.end() ? source_ : given->second) + ": " + what);
       }
     }
   }
@@ -134,6 +147,7 @@ class FieldChecker {
  private:
   std::string source_;
   std::string path_;
+  const Places& places_;
 };
 
 }  // namespace pacer

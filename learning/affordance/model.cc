@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/hash.h"
+#include "core/output_file.h"
 #include "learning/affordance/byte_stream.h"
 #include "learning/affordance/config_text.h"
 
@@ -198,7 +199,8 @@ Model from_bytes(std::string_view bytes, std::string_view source) {
     version = in.value<std::uint32_t>();
     if (version == Model::kVersion) return read_sealed(in);
   } catch (const std::exception& error) {
-    throw std::runtime_error(file + ": a damaged affordance model: " + error.what());
+    throw std::runtime_error(file + ": a damaged affordance model: " + error.what() +
+                             "; train it again");
   }
   throw std::runtime_error(file + ": a model of version " + std::to_string(version) +
                            ", and this program reads version " + std::to_string(Model::kVersion) +
@@ -206,23 +208,9 @@ Model from_bytes(std::string_view bytes, std::string_view source) {
 }
 
 void save(const Model& model, const std::filesystem::path& path) {
-  const std::string bytes = to_bytes(model);
-  std::filesystem::path aside = path;
-  aside += ".part";
-  errno = 0;
-  {
-    std::ofstream out(aside, std::ios::binary | std::ios::trunc);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) {
-      const int reason = errno != 0 ? errno : EIO;
-      std::error_code ignored;
-      std::filesystem::remove(aside, ignored);
-      throw std::system_error(reason, std::generic_category(),
-                              "cannot write the model " + path.string());
-    }
-  }
-  std::filesystem::rename(aside, path);
+  OutputFile file(path);
+  file.write(to_bytes(model));
+  file.keep();
 }
 
 Model load(const std::filesystem::path& path) {

@@ -3,19 +3,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <istream>
 #include <limits>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <tuple>
 #include <vector>
 
 #include "core/check.h"
+#include "core/output_file.h"
 
 namespace pacer::affordance {
 namespace {
@@ -155,22 +156,11 @@ void write_rules(std::ostream& out, std::span<const Rule> rules) {
 }
 
 void write_rules(const std::filesystem::path& file, std::span<const Rule> rules) {
-  std::filesystem::path partial = file;
-  partial += ".partial";
-  errno = 0;
-  std::ofstream out(partial, std::ios::binary);
-  write_rules(out, rules);
-  out.close();
-  std::error_code failure;
-  if (out.fail()) {
-    const int error = errno;
-    std::filesystem::remove(partial, failure);
-    throw std::runtime_error(file.string() + ": cannot be written: " + reason(error));
-  }
-  std::filesystem::rename(partial, file, failure);
-  if (failure) {
-    throw std::runtime_error(file.string() + ": cannot be written: " + failure.message());
-  }
+  OutputFile output(file);
+  std::ostringstream text;
+  write_rules(text, rules);
+  output.write(text.view());
+  output.keep();
 }
 
 }  // namespace pacer::affordance

@@ -301,10 +301,9 @@ void Trainer::learn_mappings() {
   model_.rules = std::move(rules);
   for (const EpisodeMatches& episode : matches) report_.frames_matched += episode.frames(kept);
   if (model_.rules.empty()) {
-    throw UsageError(
-        "no rule holds in the demonstration; it is too short or too uniform, or mining.support_"
-        "percent, mining.confidence_percent, mining.min_stretches or mapping.min_matches ask too "
-        "much");
+    throw std::runtime_error(
+        "no rule holds in the demonstration: it is too short or too uniform (the shipped scenario "
+        "wants about two minutes); record more, or lower affordance.mining.support_percent");
   }
   model_.matcher = RuleMatcher(model_.rules, model_.frequency);
 }

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
-#include <system_error>
 
 #include "core/check.h"
+#include "core/output_file.h"
 #include "embedded/page_parts.h"
 #include "embedded/vega.h"
 #include "runs/report/escape.h"
@@ -106,26 +104,9 @@ std::string Page::html() const {
 }
 
 void Page::write(const std::filesystem::path& file) const {
-  const std::string text = html();
-  const std::filesystem::path aside = file.string() + ".partial";
-  try {
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-    std::ofstream stream(aside, std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream) {
-      throw std::runtime_error(
-          fmt::format("report {}: cannot be written; is the folder writable, and is there room?",
-                      file.string()));
-    }
-    std::filesystem::rename(aside, file);
-  } catch (const std::filesystem::filesystem_error& error) {
-    throw std::runtime_error(fmt::format("report {}: {}", file.string(), error.code().message()));
-  } catch (const std::runtime_error&) {
-    std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-    throw;
-  }
+  OutputFile output(file);
+  output.write(html());
+  output.keep();
 }
 
 }  // namespace pacer::report

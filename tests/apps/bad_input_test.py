@@ -83,17 +83,24 @@ class BadInput(CommandTest):
     def test_a_folder_that_cannot_be_made_is_named(self):
         file = self.scratch / "file"
         file.write_text("not a folder")
-        for command in [collect(file / "drives"), train(file / "m"),
+        self.assertIn(str(file), self.refusal(*collect(file / "drives"), status=FAILED))
+
+    def test_a_file_that_cannot_be_written_is_named_before_the_work(self):
+        file = self.scratch / "file"
+        file.write_text("not a folder")
+        for command in [train(file / "m"), train(""), train(self.scratch),
                         self.drive("neutral", "--video", file / "drive.mp4"),
-                        self.drive("neutral", "--json", file / "drive.json")]:
-            self.assertIn(str(file), self.refusal(*command, status=FAILED))
+                        self.drive("neutral", "--json", file / "drive.json"),
+                        self.drive("neutral", "--json", "")]:
+            self.assertIn("cannot be written", self.refusal(*command, status=BAD_USAGE))
 
     @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
     def test_a_folder_that_may_not_be_written_is_named(self):
         self.scratch.chmod(0o500)
         self.addCleanup(self.scratch.chmod, 0o700)
-        for command in [collect(self.scratch / "drives"), train(self.scratch / "m")]:
-            self.assertIn(str(self.scratch), self.refusal(*command, status=FAILED))
+        for status, command in [(FAILED, collect(self.scratch / "drives")),
+                                (BAD_USAGE, train(self.scratch / "m"))]:
+            self.assertIn(str(self.scratch), self.refusal(*command, status=status))
 
     def test_a_disk_that_fills_up_while_recording_loses_nothing_that_was_there(self):
         out = self.scratch / "d"
@@ -122,9 +129,26 @@ class BadInput(CommandTest):
     def test_a_full_device_is_named(self):
         link = self.scratch / "full"
         link.symlink_to("/dev/full")
-        line = self.refusal("inspect", DRIVES, "--quick", "--json", link, status=FAILED)
-        self.assertIn(str(link), line)
-        self.assertTrue(link.is_symlink())
+        for command in [["inspect", DRIVES, "--quick", "--json", link],
+                        ["evaluate", SCENARIO, *SMALL, "--policy", "neutral", "--episodes", 1,
+                         "--clips", 0, "--out", link],
+                        self.drive("neutral", "--video", link)]:
+            self.assertIn(str(link), self.refusal(*command, status=FAILED))
+            self.assertTrue(link.is_symlink())
+
+    def test_learning_from_swapped_videos_is_refused(self):
+        dataset = self.scratch / "d"
+        shutil.copytree(DRIVES, dataset)
+        one, other = sorted(dataset.glob("videos/**/*.mp4"))[:2]
+        one.rename(self.scratch / "aside")
+        other.rename(one)
+        (self.scratch / "aside").rename(other)
+        self.assertIn("hash", self.refusal(*train(self.scratch / "m", dataset), status=FAILED))
+
+    def test_a_model_for_another_frame_rate_is_refused(self):
+        line = self.refusal(*self.drive(MODEL, "--set", "simulated.camera.frame_rate_hz=20"),
+                            status=BAD_USAGE)
+        self.assertIn("20", line)
 
     def test_a_machine_without_opengl_is_told_so(self):
         line = self.refusal(*self.drive("neutral"), status=FAILED,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The same command writes the same bytes: with more workers, interrupted, killed, or again."""
 
+import json
 import random
 import shutil
 import signal
@@ -14,8 +15,9 @@ from pacer_command import (COMMAND, DRIVES, FAILED, MODEL, SCENARIO, SMALL, Comm
 class Repeat(CommandTest):
 
     def start(self, command):
-        child = subprocess.Popen([COMMAND, *map(str, command)], stdout=subprocess.DEVNULL,
+        child = subprocess.Popen([COMMAND, *map(str, command)], stdout=subprocess.PIPE,
                                  stderr=subprocess.PIPE, text=True)
+        self.addCleanup(child.stdout.close)
         self.addCleanup(child.stderr.close)
         self.addCleanup(child.kill)
         return child
@@ -64,6 +66,19 @@ class Repeat(CommandTest):
         self.pacer("inspect", out)
         self.pacer(*collect(out))
         self.assert_same_trees(DRIVES, out)
+
+    def test_an_interrupted_evaluation_shows_what_was_finished(self):
+        out = self.scratch / "scores.json"
+        child = self.start(["evaluate", SCENARIO, *SMALL, "--policy", "neutral", "--episodes", 500,
+                            "--clips", 0, "--jobs", 1, "--json", out])
+        time.sleep(6)
+        for _ in range(2):  # as `timeout` does: the process, then its group
+            child.send_signal(signal.SIGINT)
+        said, errors = child.communicate(timeout=60)
+        self.assertEqual(child.returncode, FAILED, errors)
+        self.assertIn("| neutral", said)
+        finished = len(json.loads(out.read_text())["policies"]["neutral"]["episodes"])
+        self.assertTrue(0 < finished < 500, finished)
 
     def test_a_model_learnt_again_with_two_threads_is_the_same(self):
         self.pacer(*train(self.scratch / "again.model", jobs=2))

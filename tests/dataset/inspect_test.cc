@@ -54,11 +54,46 @@ TEST(Inspect, FindsFilesOfNoEpisode) {
   EXPECT_FALSE(inspect(scratch / "set").whole()) << "the loader would load it";
 }
 
+TEST(Inspect, FindsALostDescription) {
+  for (const char* file : {"hashes.json", "scenario.yaml"}) {
+    const Scratch scratch;
+    record_dataset(scratch / "set", small_spec(), 1, 5);
+    std::ofstream(scratch / "set/meta" / file, std::ios::trunc).close();
+    EXPECT_FALSE(inspect(scratch / "set").whole()) << file << " is empty";
+    fs::remove(scratch / "set/meta" / file);
+    EXPECT_FALSE(inspect(scratch / "set").whole()) << file << " is missing";
+  }
+}
+
+TEST(Inspect, FindsAVideoOfAnotherRate) {
+  const Scratch scratch;
+  record_dataset(scratch / "set", small_spec(), 1, 10);
+  DatasetSpec slow = small_spec();
+  slow.rate_hz = 20;
+  record_dataset(scratch / "slow", slow, 1, 10);
+  const std::string video = "videos/observation.images.front/chunk-000/file-000.mp4";
+  fs::copy_file(scratch / "slow" / video, scratch / "set" / video,
+                fs::copy_options::overwrite_existing);
+  EXPECT_THAT(inspect(scratch / "set", Depth::kFiles).findings,
+              ::testing::Contains(::testing::Field(&Finding::what, HasSubstr("20 pictures"))));
+}
+
+TEST(Repair, KeepsWhatAnEarlierRepairMovedAside) {
+  const Scratch scratch;
+  record_dataset(scratch / "set", small_spec(), 3, 5);
+  for (const char* file : {"file-002.mp4", "file-001.mp4"}) {
+    fs::resize_file(scratch / "set/videos/observation.images.front/chunk-000" / file, 100);
+    EXPECT_THAT(repair(scratch / "set", small_spec().task), ::testing::Not(IsEmpty()));
+  }
+  EXPECT_TRUE(fs::exists(scratch / "set/.dropped/data/chunk-000/file-002.parquet"));
+  EXPECT_TRUE(fs::exists(scratch / "set/.dropped-2/data/chunk-000/file-001.parquet"));
+}
+
 TEST(Repair, DoesNothingToAWholeDataset) {
   const Scratch scratch;
   record_dataset(scratch / "set", small_spec(), 2, 5);
   fs::copy(scratch / "set", scratch / "copy", fs::copy_options::recursive);
-  EXPECT_THAT(repair(scratch / "set"), IsEmpty());
+  EXPECT_THAT(repair(scratch / "set", small_spec().task), IsEmpty());
   EXPECT_THAT(differing_files(scratch / "copy", scratch / "set"), IsEmpty());
 }
 
@@ -69,7 +104,8 @@ TEST(Repair, KeepsTheLeadingWholeEpisodesAndMovesTheRestAside) {
   const fs::path video = scratch / "set/videos/observation.images.front/chunk-000/file-001.mp4";
   fs::resize_file(video, 100);
   EXPECT_FALSE(inspect(scratch / "set").whole());
-  EXPECT_THAT(repair(scratch / "set"), ::testing::Contains(HasSubstr("episode 1 is broken")));
+  EXPECT_THAT(repair(scratch / "set", small_spec().task),
+              ::testing::Contains(HasSubstr("episode 1 is broken")));
   EXPECT_TRUE(inspect(scratch / "set").whole());
   const fs::path dropped = scratch / "set/.dropped";
   EXPECT_TRUE(fs::exists(dropped / "data/chunk-000/file-002.parquet")) << "nothing is thrown away";
@@ -84,7 +120,7 @@ TEST(Repair, WritesLostStatisticsAnew) {
   for (const char* file : {"stats.json", "hashes.json", "tasks.parquet"}) {
     fs::remove(scratch / "set/meta" / file);
   }
-  EXPECT_THAT(repair(scratch / "set"), ElementsAre(HasSubstr("statistics")));
+  EXPECT_THAT(repair(scratch / "set", small_spec().task), ElementsAre(HasSubstr("statistics")));
   EXPECT_THAT(differing_files(scratch / "copy", scratch / "set"), IsEmpty());
 }
 

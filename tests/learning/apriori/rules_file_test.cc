@@ -136,13 +136,14 @@ TEST_F(RulesFile, WritesRulesSortedAsNumbersWithCountAndConfidence) {
             "2 3 4 500 2 0.666667\n"
             "2 3 20 199 0.995000\n"
             "10 1 2 7 1.000000\n");
-  EXPECT_FALSE(std::filesystem::exists(folder / "rules.txt.partial"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "rules.txt.part"));
 }
 
 TEST_F(RulesFile, NamesTheFileThatCannotBeWritten) {
-  EXPECT_THAT([&] { write_rules(folder / "none" / "rules.txt", {}); },
+  std::ofstream(folder / "file") << "not a folder";
+  EXPECT_THAT([&] { write_rules(folder / "file" / "rules.txt", {}); },
               ::testing::ThrowsMessage<std::runtime_error>(
-                  HasSubstr("rules.txt: cannot be written: No such")));
+                  HasSubstr("rules.txt: cannot be written: Not a directory")));
   EXPECT_THAT([&] { write_rules("/dev/full/rules.txt", {}); },
               ::testing::Throws<std::runtime_error>());
 }

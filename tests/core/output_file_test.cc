@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/output_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace pacer {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// An empty folder that goes with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = ::testing::TempDir() + "output-XXXXXX";
+    path_ = ::mkdtemp(name.data());
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+TEST(OutputFile, TakesThePlaceOfTheOldOneOnlyWhenItIsKept) {
+  const ScratchFolder scratch;
+  const fs::path place = scratch / "result";
+  put(place, "old");
+  {
+    OutputFile file(place);
+    file.write("new");
+    EXPECT_EQ(text_of(place), "old");
+  }
+  EXPECT_EQ(text_of(place), "old");
+  {
+    OutputFile file(place);
+    file.write("new");
+    file.keep();
+  }
+  EXPECT_EQ(text_of(place), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1) << "nothing is left";
+}
+
+TEST(OutputFile, MakesTheFoldersAboveIt) {
+  const ScratchFolder scratch;
+  OutputFile file(scratch / "a/b/result");
+  file.write("x");
+  file.keep();
+  EXPECT_EQ(text_of(scratch / "a/b/result"), "x");
+}
+
+TEST(OutputFile, RefusesAPlaceThatCannotBeWrittenBeforeTheWork) {
+  const ScratchFolder scratch;
+  put(scratch / "file", "not a folder");
+  for (const fs::path& place : {scratch.path(), scratch / "file/result", fs::path()}) {
+    EXPECT_THAT([&] { const OutputFile file(place); },
+                ::testing::ThrowsMessage<std::runtime_error>(
+                    HasSubstr(place.string() + ": cannot be written: ")));
+  }
+}
+
+TEST(OutputFile, LeavesADeviceWhatItIs) {
+  OutputFile file("/dev/full");
+  EXPECT_THAT([&] { file.write("x"); },
+              ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("No space left")));
+  file.keep();
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(OutputFile, ALinkStaysALink) {
+  const ScratchFolder scratch;
+  put(scratch / "real", "old");
+  fs::create_symlink("real", scratch / "link");
+  OutputFile file(scratch / "link");
+  file.write("new");
+  file.keep();
+  EXPECT_TRUE(fs::is_symlink(scratch / "link"));
+  EXPECT_EQ(text_of(scratch / "real"), "new");
+}
+
+}  // namespace
+}  // namespace pacer
