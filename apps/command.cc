@@ -51,6 +51,10 @@ RunControl CommonOptions::control(const std::stop_token& stop) const {
 
 void CommonOptions::write_json(const nlohmann::ordered_json& result) const {
   if (json.empty()) return;
+  if (json == "/dev/stdout") {  // in turn with what is printed, also where that goes to a file
+    fmt::print("{}\n", result.dump(2));
+    return;
+  }
   OutputFile file(json);
   file.write(result.dump(2) + "\n");
   file.keep();

@@ -38,10 +38,14 @@ struct InspectCommand {
   }
 
  private:
-  /// What the scenario recorded with the dataset says its task is.
+  /// What the scenario recorded with the dataset says its task is; the usual one where that cannot
+  /// be read.
   [[nodiscard]] std::string recorded_task() const {
-    const std::filesystem::path scenario = what / "meta" / "scenario.yaml";
-    return std::filesystem::exists(scenario) ? load_scenario(scenario).task : Scenario{}.task;
+    try {
+      return load_scenario(what / "meta" / "scenario.yaml").task;
+    } catch (const UsageError&) {
+      return Scenario{}.task;
+    }
   }
 
   void inspect_dataset() const {
@@ -73,7 +77,9 @@ struct InspectCommand {
     }
     if (!sheet.empty()) {
       std::vector<std::uint8_t> png;
-      cv::imencode(".png", dataset::contact_sheet(dataset::Dataset(what)), png);
+      if (!cv::imencode(".png", dataset::contact_sheet(dataset::Dataset(what)), png)) {
+        throw std::runtime_error(sheet.string() + ": OpenCV cannot draw it");
+      }
       OutputFile file(sheet);
       file.write({reinterpret_cast<const char*>(png.data()), png.size()});
       file.keep();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/interrupt.h"
 
+#include <signal.h>
 #include <time.h>
 
-#include <csignal>
+#include <atomic>
+#include <cstdint>
 
 namespace pacer {
 namespace {
@@ -13,22 +15,24 @@ std::stop_source& source() {
   return only;
 }
 
-/// Seconds of a clock that only goes forward.
-double now() {
+/// Nanoseconds of a clock that only goes forward.
+std::int64_t now() {
   timespec time{};
   ::clock_gettime(CLOCK_MONOTONIC, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
+std::atomic<std::int64_t> first_signal{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
 void on_signal(int signal) {
-  static volatile double first = 0.0;
-  constexpr double kSameWish = 1.0;  // s: `timeout` signals the process, then its whole group
-  if (!source().stop_requested()) {
-    source().request_stop();  // no callbacks are registered: it sets an atomic flag
-    first = now();
-  } else if (now() - first > kSameWish) {  // whoever insists is obeyed
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+  constexpr std::int64_t kSameWish = 1'000'000'000;  // `timeout` asks us, then our whole group
+  std::int64_t before = 0;
+  if (first_signal.compare_exchange_strong(before, now())) {
+    source().request_stop();                // no callbacks are registered: it sets an atomic flag
+  } else if (now() - before > kSameWish) {  // whoever insists is obeyed
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
   }
 }
 
@@ -36,8 +40,11 @@ void on_signal(int signal) {
 
 std::stop_token stop_on_interrupt() {
   std::stop_token token = source().get_token();
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  ::sigemptyset(&action.sa_mask);
+  for (const int signal : {SIGINT, SIGTERM}) ::sigaddset(&action.sa_mask, signal);
+  for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
   return token;
 }
 

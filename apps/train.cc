@@ -5,7 +5,6 @@
 
 #include "apps/command.h"
 #include "apps/terminal_progress.h"
-#include "dataset/inspect.h"
 #include "dataset/reader.h"
 #include "runs/training_report.h"
 
@@ -19,7 +18,6 @@ struct TrainCommand {
   std::filesystem::path out;
 
   void run(const std::stop_token& stop) const {
-    require_whole();
     const dataset::Dataset recorded(dataset);
     const std::string source = (dataset / "meta" / "scenario.yaml").string();
     const Scenario scenario = parse_scenario(recorded.scenario(), source, common.overrides());
@@ -34,18 +32,6 @@ struct TrainCommand {
         "--out out/report.html\n",
         out.string(), out.string());
     common.write_json(to_json(report));
-  }
-
- private:
-  /// A dataset whose files are not as they were written teaches something else.
-  void require_whole() const {
-    const dataset::Inspection found = dataset::inspect(dataset, dataset::Depth::kFiles);
-    for (const dataset::Finding& finding : found.findings) {
-      if (!finding.harms) continue;
-      throw std::runtime_error(
-          fmt::format("{}: {}; `pacer inspect {} --repair` keeps what is whole",
-                      (dataset / finding.where).string(), finding.what, dataset.string()));
-    }
   }
 };
 

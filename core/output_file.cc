@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/output_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <fstream>
 #include <stdexcept>
@@ -11,18 +14,32 @@ namespace pacer {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Whether it is to be written to as it is: a device or a pipe, or a name that the system gives to
+/// what somebody else has open, such as /dev/stdout.
+bool is_stream(const fs::path& place) {
+  std::error_code missing;
+  const fs::file_status there = fs::status(place, missing);
+  if (fs::exists(there) && !fs::is_regular_file(there)) return true;
+  const auto first = place.is_absolute() ? *std::next(place.begin()) : fs::path();
+  return first == "dev" || first == "proc";
+}
+
+}  // namespace
+
 OutputFile::OutputFile(fs::path place) : place_(std::move(place)), aside_(place_) {
   std::error_code error;
-  const fs::file_status there = fs::status(place_, error);
-  if (place_.empty() || fs::is_directory(there)) fail(place_.empty() ? ENOENT : EISDIR);
-  if (fs::exists(there) && !fs::is_regular_file(there)) return;
-  if (fs::is_symlink(fs::symlink_status(place_, error)) && fs::exists(there)) {
-    place_ = fs::canonical(place_, error);  // the link stays a link
-    if (error) fail(error.value());
+  if (place_.empty()) fail(ENOENT);
+  if (fs::is_directory(place_, error)) fail(EISDIR);
+  if (is_stream(place_)) return;
+  if (fs::is_symlink(place_, error) && fs::exists(place_, error)) {
+    place_ = fs::canonical(place_);  // the link stays a link
   }
-  aside_ = place_.string() + ".part";
+  error.clear();
   if (place_.has_parent_path()) fs::create_directories(place_.parent_path(), error);
   if (error) fail(error.value());
+  aside_ = place_.string() + "." + std::to_string(::getpid()) + ".part";
   errno = 0;
   if (!std::ofstream(aside_, std::ios::binary | std::ios::trunc)) fail(errno);
 }
@@ -34,7 +51,9 @@ OutputFile::~OutputFile() {
 
 void OutputFile::write(std::string_view bytes) const {
   errno = 0;
-  std::ofstream out(aside_, std::ios::binary | std::ios::trunc);
+  // What others have written to a stream before us stays.
+  std::ofstream out(aside_,
+                    std::ios::binary | (aside_ == place_ ? std::ios::app : std::ios::trunc));
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   if (!out) fail(errno);
@@ -42,6 +61,11 @@ void OutputFile::write(std::string_view bytes) const {
 
 void OutputFile::keep() {
   if (aside_ == place_) return;
+  const int written = ::open(aside_.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool safe = written >= 0 && ::fsync(written) == 0;  // the bytes before the name
+  const int reason = errno;
+  if (written >= 0) ::close(written);
+  if (!safe) fail(reason);
   std::error_code error;
   fs::rename(aside_, place_, error);
   if (error) fail(error.value());

@@ -8,7 +8,7 @@ namespace pacer {
 
 /// A file that holds a result as a whole or not at all: it is written aside, next to its place,
 /// and takes the place of what was there only when it is kept. What is no plain file (a device, a
-/// pipe) is never replaced, and is written to as it is.
+/// pipe, anything under /dev and /proc) is never replaced: it is appended to as it is.
 class OutputFile {
  public:
   /// Makes the folders above, and tries at once whether the file can be written: before the work

@@ -139,7 +139,11 @@ void check_hashes(const Dataset& dataset, Inspection& into) {
   if (!hashed && !described) return;  // another program's
   if (!hashed || !described) {
     const fs::path& lost = hashed ? layout.scenario() : layout.hashes();
-    into.findings.push_back({place_in(layout.root(), lost), "is missing or empty", true});
+    into.findings.push_back({place_in(layout.root(), lost),
+                             hashed ? "is missing or empty, and tells what was recorded: nothing "
+                                      "can be added without it"
+                                    : "is missing",
+                             true});
     if (!hashed) return;
   }
   finding_errors(into.findings, place_in(layout.root(), layout.hashes()), [&] {

@@ -43,7 +43,7 @@ struct Inspection {
 
 enum class Depth {
   kTables,  ///< structure, lengths, indices, timestamps, statistics
-  kFiles,   ///< and every file's hash, and every video's size and rate
+  kFiles,   ///< and every table's and video's hash, and every video's size and rate
   kAll,     ///< and every video, picture by picture
 };
 

@@ -33,7 +33,11 @@ DatasetSpec spec_of(const Layout& layout, const DatasetInfo& info, const std::st
       spec.signals.push_back({.name = feature.name, .components = feature.components});
     }
   }
-  if (spec.features() != info.features || !fs::exists(layout.scenario())) {
+  if (spec.features() == info.features && fs::exists(layout.hashes()) && spec.scenario.empty()) {
+    throw UsageError(fmt::format("{}: is lost, and cannot be made up; put it back, or record anew",
+                                 layout.scenario().string()));
+  }
+  if (spec.features() != info.features || spec.scenario.empty()) {
     throw UsageError(fmt::format("{}: written by another program, which has to repair it",
                                  layout.root().string()));
   }

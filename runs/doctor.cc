@@ -58,11 +58,9 @@ Diagnosis drawing(const Scenario& scenario) {
         kFrames;
     constexpr double kSlowMs = 20.0;
     return {.what = "simulated frames",
-            .found = fmt::format("{:.1f} ms each, {:.0f} a second and worker", ms, 1e3 / ms),
+            .found = fmt::format("{:.1f} ms each, {:.0f} a second", ms, 1e3 / ms),
             .verdict = ms > kSlowMs ? Verdict::kSlow : Verdict::kGood,
-            .advice = ms > kSlowMs ? "set simulated.camera.render.quality=fast, and "
-                                     "LP_NUM_THREADS=1 with several workers"
-                                   : ""};
+            .advice = ms > kSlowMs ? "set simulated.camera.render.quality=fast" : ""};
   } catch (const std::exception& error) {
     return {.what = "simulated frames",
             .found = error.what(),

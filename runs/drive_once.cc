@@ -66,13 +66,14 @@ DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
     recorded.emplace(scenario.replayed.dataset);
     car = std::make_unique<dataset::ReplayCar>(*recorded, episode);
     rate_hz = recorded->info().rate_hz;
+    source.check_rate(rate_hz);
     expected = static_cast<std::uint64_t>(recorded->episodes().at(episode).length);
   } else {
+    source.check_rate(rate_hz);
     auto made = std::make_unique<sim::SimCar>(config, random.fork("car"));
     simulated = made.get();
     car = std::move(made);
   }
-  source.check_rate(rate_hz);
   const std::unique_ptr<Policy> policy = source.make(scenario, simulated, random.fork("policy"));
 
   DriveProgress progress(control, expected);

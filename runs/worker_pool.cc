@@ -104,8 +104,8 @@ void be_modest() {
 [[noreturn]] void work(pid_t parent, int indices, int results, const WorkerTask& task) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // it died before it could be watched
-  std::signal(SIGINT, SIG_IGN);           // Ctrl-C reaches the whole group: the parent decides
-  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, SIG_IGN);           // they may reach the whole group: the parent decides
+  std::signal(SIGTERM, SIG_IGN);
   be_modest();
   std::uint32_t index = 0;
   while (read_all(indices, &index, sizeof index)) {
@@ -155,7 +155,7 @@ class Crew {
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
   ~Crew() {
-    for (Worker& worker : workers_) ::kill(worker.pid, SIGTERM);
+    for (Worker& worker : workers_) ::kill(worker.pid, SIGKILL);
     for (Worker& worker : workers_) (void)reap(worker);
   }
 

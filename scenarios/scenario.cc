@@ -82,15 +82,9 @@ void FollowingConfig::validate() const {
 void RoomSplit::validate() const {
   require(!demonstrated.empty(), "demonstrated: name at least one kind of room");
   require(!unseen.empty(), "unseen: name at least one kind of room");
-  const std::vector<std::string>& kinds = sim::room_kinds();
-  const auto known = [&kinds](const std::string& kind) {
-    return std::ranges::find(kinds, kind) != kinds.end();
-  };
-  for (const std::string& kind : demonstrated) {
-    require(known(kind), "demonstrated: \"" + kind + "\" is none of living, office, workshop");
-  }
+  for (const std::string& kind : demonstrated) sim::require_room_kind("demonstrated", kind);
   for (const std::string& kind : unseen) {
-    require(known(kind), "unseen: \"" + kind + "\" is none of living, office, workshop");
+    sim::require_room_kind("unseen", kind);
     require(std::ranges::find(demonstrated, kind) == demonstrated.end(),
             "unseen: \"" + kind + "\" is demonstrated too");
   }

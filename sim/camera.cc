@@ -2,6 +2,7 @@
 #include "sim/camera.h"
 
 #include <array>
+#include <cmath>
 
 #include "core/check.h"
 
@@ -35,7 +36,9 @@ CameraMotion motion_of(const mjModel& model, const mjData& data, int id) {
 void CameraConfig::validate() const {
   require(width >= 64 && width <= 4096, "width_px: must lie in [64, 4096]");
   require(height >= 48 && height <= 4096, "height_px: must lie in [48, 4096]");
-  require(frame_rate_hz >= 5.0 && frame_rate_hz <= 120.0, "frame_rate_hz: must lie in [5, 120]");
+  require(frame_rate_hz >= 5.0 && frame_rate_hz <= 120.0 &&
+              frame_rate_hz == std::floor(frame_rate_hz),  // as datasets and videos have it
+          "frame_rate_hz: must be a whole number in [5, 120]");
   delay.validate("delay_s", 0.0, 1.0);
   lens.validate();
   exposure.validate();

@@ -32,12 +32,18 @@ const std::vector<std::string>& room_kinds() {
   return kinds;
 }
 
+void require_room_kind(const std::string& field, const std::string& kind) {
+  std::string names;
+  for (const std::string& known : room_kinds()) {
+    if (known == kind) return;
+    names += (names.empty() ? "" : ", ") + known;
+  }
+  throw std::invalid_argument(field + ": there is no room \"" + kind + "\"; there are " + names);
+}
+
 void RoomConfig::validate() const {
   require(!kinds.empty(), "kinds: names no room");
-  for (const std::string& kind : kinds) {
-    require(std::ranges::count(room_kinds(), kind) == 1,
-            "kinds: there is no room " + kind + "; there are living, office and workshop");
-  }
+  for (const std::string& kind : kinds) require_room_kind("kinds", kind);
   length.validate("length_m", 6.5, 12.0);
   width.validate("width_m", 5.8, 12.0);
   clutter.validate("clutter", 0.0, 1.0);

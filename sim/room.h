@@ -59,6 +59,8 @@ struct RoomConfig {
 
 /// The kinds that `RoomConfig::kinds` may name.
 [[nodiscard]] const std::vector<std::string>& room_kinds();
+/// Throws std::invalid_argument, naming `field` and the kinds there are, for one there is not.
+void require_room_kind(const std::string& field, const std::string& kind);
 
 /// Adds a furnished room to `spec` (floor at z = 0) with its textures, materials and lights.
 /// The same config and random: the same room.

@@ -11,7 +11,7 @@ namespace pacer {
 /// the steps of `inputs` in the world that SimCar(config, random) drives in, draws at its size and
 /// quality, and returns frames a second. Building the world is not timed.
 ///
-/// Throws std::logic_error when the steps do not end where the drive ended.
+/// Throws std::logic_error when the steps do not end where the drive's did.
 [[nodiscard]] double bare_loop_frames_a_second(const sim::SimCarConfig& config,
                                                const Random& random, const StepInputs& inputs);
 

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/check.h"
+#include "core/output_file.h"
 #include "core/version.h"
 #include "studies/materials.h"
 #include "studies/studies.h"
@@ -18,13 +19,9 @@ namespace {
 using nlohmann::ordered_json;
 
 void write_whole(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path aside = file.string() + ".part";
-  std::ofstream stream(aside);
-  stream << text;
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(aside, file, error);
-  if (!stream || error) throw std::runtime_error(file.string() + ": cannot be written");
+  OutputFile output(file);
+  output.write(text);
+  output.keep();
 }
 
 /// The result of an earlier run of the same program and scenario; null when there is none.

@@ -2,10 +2,10 @@
 #include "studies/step_inputs.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "core/drive.h"
-#include "sim/sim_car.h"
-#include "sim/teacher.h"
+#include "runs/collect.h"
 
 namespace pacer {
 namespace {
@@ -17,10 +17,27 @@ class Nobody final : public StepSink {
   [[nodiscard]] bool write(const Frame&, const Step&) override { return true; }
 };
 
+/// MuJoCo calls `see` for `inputs` while it lives.
+class Watch {
+ public:
+  Watch(StepInputs& inputs, mjfGeneric see) {
+    watching = &inputs;
+    mjcb_control = see;
+  }
+  ~Watch() {
+    mjcb_control = nullptr;
+    watching = nullptr;
+  }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+};
+
 }  // namespace
 
 void StepInputs::see(const mjModel* model, mjData* data) {
   StepInputs& my = *watching;
+  my.motors_ = static_cast<int>(model->nu);
+  my.bodies_ = static_cast<int>(model->nbody);
   // Called before a step's inputs are chosen: those of the step before still stand.
   if (my.seen_++ > 0) {
     my.controls_.insert(my.controls_.end(), data->ctrl, data->ctrl + model->nu);
@@ -30,26 +47,19 @@ void StepInputs::see(const mjModel* model, mjData* data) {
 }
 
 StepInputs StepInputs::of_demonstration(const Scenario& scenario, std::uint32_t episode) {
-  const Random random = scenario.episode_random(Purpose::kCollect, episode);
-  sim::SimCar car(scenario.simulated_for(Purpose::kCollect), random.fork("car"));
-  sim::Teacher teacher(scenario.teacher, car.lead_sight(), random.fork("policy").fork("teacher"));
   StepInputs inputs;
   Nobody nobody;
-  watching = &inputs;
-  mjcb_control = see;
-  try {
-    drive(car, teacher, scenario.limits, scenario.channels, nobody);
-  } catch (...) {
-    mjcb_control = nullptr;
-    throw;
-  }
-  mjcb_control = nullptr;
+  const Watch watch(inputs, see);
+  (void)demonstrate(scenario, Purpose::kCollect, episode, nobody);
   return inputs;
 }
 
 std::int64_t StepInputs::steps() const { return std::max<std::int64_t>(0, seen_ - 1); }
 
 void StepInputs::apply(const mjModel& model, std::int64_t step, mjData& data) const {
+  if (model.nu != motors_ || model.nbody != bodies_) {
+    throw std::logic_error("the inputs are another world's");
+  }
   const auto put = [step](const std::vector<mjtNum>& from, std::int64_t width, mjtNum* to) {
     std::copy_n(from.begin() + step * width, width, to);
   };

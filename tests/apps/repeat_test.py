@@ -2,7 +2,9 @@
 """The same command writes the same bytes: with more workers, interrupted, killed, or again."""
 
 import json
+import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -14,9 +16,9 @@ from pacer_command import (COMMAND, DRIVES, FAILED, MODEL, SCENARIO, SMALL, Comm
 
 class Repeat(CommandTest):
 
-    def start(self, command):
+    def start(self, command, **options):
         child = subprocess.Popen([COMMAND, *map(str, command)], stdout=subprocess.PIPE,
-                                 stderr=subprocess.PIPE, text=True)
+                                 stderr=subprocess.PIPE, text=True, **options)
         self.addCleanup(child.stdout.close)
         self.addCleanup(child.stderr.close)
         self.addCleanup(child.kill)
@@ -67,13 +69,15 @@ class Repeat(CommandTest):
         self.pacer(*collect(out))
         self.assert_same_trees(DRIVES, out)
 
-    def test_an_interrupted_evaluation_shows_what_was_finished(self):
+    def test_an_evaluation_that_timeout_ends_shows_what_was_finished(self):
         out = self.scratch / "scores.json"
         child = self.start(["evaluate", SCENARIO, *SMALL, "--policy", "neutral", "--episodes", 500,
-                            "--clips", 0, "--jobs", 1, "--json", out])
-        time.sleep(6)
-        for _ in range(2):  # as `timeout` does: the process, then its group
-            child.send_signal(signal.SIGINT)
+                            "--clips", 0, "--jobs", 1, "--json", out], start_new_session=True)
+        while not re.match(r"episodes: [1-9]", child.stderr.readline()):
+            self.assertIsNone(child.poll())
+        child.send_signal(signal.SIGTERM)  # as `timeout` does: the process, then its group
+        time.sleep(0.05)
+        os.killpg(child.pid, signal.SIGTERM)
         said, errors = child.communicate(timeout=60)
         self.assertEqual(child.returncode, FAILED, errors)
         self.assertIn("| neutral", said)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is asked wrongly is answered by one line that helps, and status 2."""
 
-from pacer_command import BAD_USAGE, SCENARIO, CommandTest, main, run
+import subprocess
+
+from pacer_command import BAD_USAGE, COMMAND, SCENARIO, CommandTest, main, run
 
 COMMANDS = ["collect", "train", "evaluate", "drive", "inspect", "study", "doctor"]
 
@@ -47,6 +49,14 @@ class Usage(CommandTest):
                         "simulated.camera.width_px=many", "car=flying"]:
             line = self.refusal("inspect", SCENARIO, "--set", setting, status=BAD_USAGE)
             self.assertIn(setting.split("=")[0].split(".")[-1], line)
+
+    def test_json_to_a_redirected_standard_output_comes_after_what_is_printed(self):
+        both = self.scratch / "both"
+        with both.open("w") as stdout:
+            subprocess.run([COMMAND, "inspect", SCENARIO, "--json", "/dev/stdout"], stdout=stdout,
+                           check=True, timeout=60)
+        said = both.read_text()
+        self.assertLess(said.index("name: "), said.index('"scenario": '))
 
     def test_a_setting_without_a_value_is_refused(self):
         self.assertIn("limits", self.refusal("inspect", SCENARIO, "--set", "limits.throttle_cap",

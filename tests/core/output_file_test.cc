@@ -63,6 +63,17 @@ TEST(OutputFile, TakesThePlaceOfTheOldOneOnlyWhenItIsKept) {
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1) << "nothing is left";
 }
 
+TEST(OutputFile, TakesABareName) {
+  const ScratchFolder scratch;
+  const fs::path before = fs::current_path();
+  fs::current_path(scratch.path());
+  OutputFile file("bare");
+  file.write("x");
+  file.keep();
+  fs::current_path(before);
+  EXPECT_EQ(text_of(scratch / "bare"), "x");
+}
+
 TEST(OutputFile, MakesTheFoldersAboveIt) {
   const ScratchFolder scratch;
   OutputFile file(scratch / "a/b/result");

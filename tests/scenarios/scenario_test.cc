@@ -75,7 +75,7 @@ TEST(Scenario, ANumberBeyondAllSenseIsNamed) {
 
 TEST(Scenario, AnUnknownKindOfRoomIsNamedWhereItWasGiven) {
   EXPECT_THAT(complaint([] { parse("rooms:\n  unseen: [cellar]\n"); }),
-              HasSubstr("test.yaml:2: rooms.unseen: \"cellar\""));
+              HasSubstr("test.yaml:2: rooms.unseen: there is no room \"cellar\""));
 }
 
 TEST(Scenario, AnUnknownOverrideIsNamed) {

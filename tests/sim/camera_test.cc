@@ -158,6 +158,39 @@ TEST(Sensor, SmearsAnEdgeAcrossTheWayItMoved) {
   EXPECT_NEAR(width_of_edge(-8.0F), 8, 2);
 }
 
+/// What the sensor is to do, in floating point and a pixel at a time.
+TEST(Sensor, IsTheMeanOfWhatPassesEachPixel) {
+  const Lens barrel = lens(-0.05);
+  Sensor sensor(barrel, 0.0, Random{1});
+  Frame rendered = grey(0);
+  const auto level = [](double x, double y) {
+    return 120.0 + 60.0 * std::sin(x / 9.0) + 50.0 * std::sin(y / 7.0 + x / 23.0);
+  };
+  for (std::size_t i = 0; i < rendered.rgb.size(); ++i) {
+    const auto x = static_cast<double>(i / 3 % 320);
+    const auto y = static_cast<double>(i / 3 / 320);
+    rendered.rgb[i] = static_cast<std::uint8_t>(std::lround(level(x, y)));
+  }
+  for (const Eigen::Vector2f& moved :
+       {Eigen::Vector2f{0.0F, 0.0F}, Eigen::Vector2f{1.5F, -1.0F}, Eigen::Vector2f{-4.0F, 2.0F},
+        Eigen::Vector2f{9.0F, 3.0F}, Eigen::Vector2f{-2.0F, -10.0F}}) {
+    Frame out;
+    sensor.expose(rendered, std::vector<Eigen::Vector2f>(16 * 30, moved), 0.8, out);
+    for (int y = 20; y < 220; y += 3) {
+      for (int x = 20; x < 300; x += 7) {
+        const Eigen::Vector2d from = barrel.source({x, y});
+        double mean = 0.0;
+        constexpr int kSamples = 64;
+        for (int i = 0; i < kSamples; ++i) {
+          const Eigen::Vector2d at = from + (i + 0.5) / kSamples * moved.cast<double>();
+          mean += level(at.x(), at.y()) / kSamples;
+        }
+        ASSERT_NEAR(level_at(out, x, y), 0.8 * mean, 7.0) << x << ", " << y << ", " << moved;
+      }
+    }
+  }
+}
+
 /// The field is what the projection of points does in the shutter's time, to first order.
 TEST(MotionBlur, IsTheMotionOfProjectedPoints) {
   const Lens barrel = lens(-0.05);
