@@ -17,6 +17,15 @@ std::vector<double> each(const PolicyEvaluation& policy, double EpisodeScore::*f
   return values;
 }
 
+/// The mean over episodes of what lies in [0, most], and so does the interval.
+Estimate mean(const std::vector<double>& values,
+              double most = std::numeric_limits<double>::infinity()) {
+  Estimate estimate = report::mean(values);
+  estimate.low = std::max(estimate.low, 0.0);
+  estimate.high = std::min(estimate.high, most);
+  return estimate;
+}
+
 Estimate share(const PolicyEvaluation& policy, bool EpisodeScore::*field) {
   const auto count = std::ranges::count_if(policy.episodes, field);
   return report::fraction(static_cast<std::size_t>(count), policy.episodes.size());
@@ -67,12 +76,11 @@ report::Table score_table(const Evaluation& evaluation) {
       {.heading = "p99", .unit = "ms", .decimals = 2}};
   for (const PolicyEvaluation& policy : evaluation.policies) {
     table.rows.push_back(
-        {.cells = {policy.name, policy.followed(),
-                   report::mean(each(policy, &EpisodeScore::in_view)),
-                   report::mean(each(policy, &EpisodeScore::distance_m)),
-                   report::mean(each(policy, &EpisodeScore::bearing_rad)),
-                   share(policy, &EpisodeScore::collided), report::mean(losses(policy)),
-                   report::mean(each(policy, &EpisodeScore::steering_jerk)),
+        {.cells = {policy.name, policy.followed(), mean(each(policy, &EpisodeScore::in_view), 1.0),
+                   mean(each(policy, &EpisodeScore::distance_m)),
+                   mean(each(policy, &EpisodeScore::bearing_rad)),
+                   share(policy, &EpisodeScore::collided), mean(losses(policy)),
+                   mean(each(policy, &EpisodeScore::steering_jerk)),
                    quantile(policy.response_ms, 0.5), quantile(policy.response_ms, 0.99)},
          .competes = policy.name != "teacher"});
   }
@@ -87,12 +95,12 @@ nlohmann::ordered_json to_json(const Evaluation& evaluation) {
       episodes.push_back(nlohmann::ordered_json(to_json(episode)));
     policies[policy.name] = {
         {"followed", to_json(policy.followed())},
-        {"in_view", to_json(report::mean(each(policy, &EpisodeScore::in_view)))},
-        {"distance_m", to_json(report::mean(each(policy, &EpisodeScore::distance_m)))},
-        {"bearing_rad", to_json(report::mean(each(policy, &EpisodeScore::bearing_rad)))},
+        {"in_view", to_json(mean(each(policy, &EpisodeScore::in_view), 1.0))},
+        {"distance_m", to_json(mean(each(policy, &EpisodeScore::distance_m)))},
+        {"bearing_rad", to_json(mean(each(policy, &EpisodeScore::bearing_rad)))},
         {"collided", to_json(share(policy, &EpisodeScore::collided))},
-        {"losses", to_json(report::mean(losses(policy)))},
-        {"steering_jerk", to_json(report::mean(each(policy, &EpisodeScore::steering_jerk)))},
+        {"losses", to_json(mean(losses(policy)))},
+        {"steering_jerk", to_json(mean(each(policy, &EpisodeScore::steering_jerk)))},
         {"response_ms",
          {{"p50", quantile(policy.response_ms, 0.5)}, {"p99", quantile(policy.response_ms, 0.99)}}},
         {"episodes", std::move(episodes)}};
