@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <thread>
 
+#include "core/check.h"
 #include "core/output_file.h"
 
 namespace pacer {
@@ -21,11 +23,45 @@ CLI::Validator writable_file() {
           ""};
 }
 
+CLI::Validator whole_number() {
+  return {[](const std::string& text) {
+            constexpr std::size_t kMostDigits = 18;  // fit into 64 bits, whatever they are
+            const bool good = !text.empty() && text.size() <= kMostDigits &&
+                              text.find_first_not_of("0123456789") == std::string::npos;
+            return good ? std::string() : "expected a whole number, 0 or more, not " + text;
+          },
+          ""};
+}
+
+void keep_apart(const std::vector<std::filesystem::path>& inputs,
+                const std::vector<std::filesystem::path>& outputs) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> known;
+  for (const fs::path& output : outputs) {
+    std::error_code error;
+    if (output.empty() || fs::is_other(output, error)) continue;
+    const fs::path place = fs::weakly_canonical(output, error);
+    if (std::ranges::find(known, place) != known.end()) {
+      throw UsageError(output.string() + ": is named for two results; name another file for one");
+    }
+    known.push_back(place);
+    for (const fs::path& input : inputs) {
+      if (input.empty() || !fs::exists(input, error)) continue;
+      const fs::path source = fs::canonical(input, error);
+      if (std::ranges::mismatch(source, place).in1 == source.end()) {
+        throw UsageError(fmt::format("{}: is part of {}, which is read; name another file",
+                                     output.string(), input.string()));
+      }
+    }
+  }
+}
+
 void CommonOptions::add_to(CLI::App& command) {
   command.add_option("--set", set, "Change a scenario value, e.g. --set limits.throttle_cap=0.4")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", seed, "The seed all chance comes from (default: the scenario's)");
+  command.add_option("--seed", seed, "The seed all chance comes from (default: the scenario's)")
+      ->check(whole_number());
   command.add_option("--json", json, "Write the result to this file")->check(writable_file());
   command.add_option("-j,--jobs", jobs, "Worker processes (default: one a processor)")
       ->check(CLI::Range(1, 256));

@@ -36,6 +36,13 @@ struct CommonOptions {
 /// For options that name a file to write: tries it before the work is done.
 [[nodiscard]] CLI::Validator writable_file();
 
+/// For options that count: digits, where CLI11 would wrap what is negative or too large.
+[[nodiscard]] CLI::Validator whole_number();
+
+/// Throws UsageError when an output is an input, lies inside one, or is named twice.
+void keep_apart(const std::vector<std::filesystem::path>& inputs,
+                const std::vector<std::filesystem::path>& outputs);
+
 /// Thrown by a command that did what it could and has to end with status 1: interrupted, or a
 /// dataset with faults. What is to be said has been said.
 struct Unfinished {};

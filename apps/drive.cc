@@ -15,6 +15,7 @@ struct DriveCommand {
   DriveOptions options;
 
   void run(const std::stop_token& stop) const {
+    keep_apart({scenario, policy}, {options.video, common.json});
     const std::vector<PolicySource> sources = PolicySource::load({policy});
     RunControl control = common.control(stop);
     TerminalProgress progress;
@@ -34,7 +35,8 @@ struct DriveCommand {
     } else {
       fmt::print("{}: {} frames\n", sources.front().name(), report.frames);
     }
-    if (!options.video.empty()) fmt::print("{}: the video\n", options.video.string());
+    if (!options.video.empty() && report.frames > 0)
+      fmt::print("{}: the video\n", options.video.string());
     common.write_json(json);
     if (!report.whole) {
       fmt::print(stderr, "interrupted: the episode is not scored\n");
@@ -53,6 +55,7 @@ void add_drive(CLI::App& app, const std::stop_token& stop) {
   command->add_option("--policy", options->policy, "A model file, teacher or neutral")
       ->capture_default_str();
   command->add_option("--episode", options->options.episode, "Which of the unseen episodes")
+      ->check(whole_number())
       ->capture_default_str();
   command->add_flag("--demonstrated-rooms", options->options.demonstrated_rooms,
                     "Drive where the teacher recorded, instead of in unseen rooms");

@@ -18,6 +18,8 @@ struct EvaluateCommand {
   EvaluateOptions options;
 
   void run(const std::stop_token& stop) const {
+    keep_apart({scenario}, {out, common.json});
+    keep_apart({policies.begin(), policies.end()}, {out, common.json});
     const Scenario loaded = common.load(scenario);
     const std::vector<PolicySource> sources = PolicySource::load(policies);
     RunControl control = common.control(stop);
@@ -54,6 +56,7 @@ void add_evaluate(CLI::App& app, const std::stop_token& stop) {
       ->capture_default_str()
       ->check(CLI::Range(1, 2000));
   command->add_option("--clips", options->options.clips, "Filmed episodes a policy")
+      ->check(whole_number())
       ->capture_default_str();
   command->add_option("--out", options->out, "File of the report (HTML)")->check(writable_file());
   options->common.add_to(*command);

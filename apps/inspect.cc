@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
@@ -24,6 +25,7 @@ struct InspectCommand {
   bool quick = false;
 
   void run() const {
+    keep_apart({what}, {sheet, common.json});
     if (std::filesystem::is_directory(what)) {
       inspect_dataset();
     } else if (what.extension() == ".yaml" || what.extension() == ".yml") {
@@ -48,14 +50,27 @@ struct InspectCommand {
     }
   }
 
+  /// The scenario recorded with it has to be one.
+  void check_scenario(dataset::Inspection& found) const {
+    const std::filesystem::path scenario = what / "meta" / "scenario.yaml";
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(scenario, error)) return;  // found missing, if it is ours
+    try {
+      (void)load_scenario(scenario);
+    } catch (const UsageError& fault) {
+      found.findings.push_back({.where = "meta/scenario.yaml", .what = fault.what()});
+    }
+  }
+
   void inspect_dataset() const {
     if (mend) {
       for (const std::string& line : dataset::repair(what, recorded_task())) {
         fmt::print("mended  {}\n", line);
       }
     }
-    const dataset::Inspection found =
+    dataset::Inspection found =
         dataset::inspect(what, quick ? dataset::Depth::kTables : dataset::Depth::kAll);
+    check_scenario(found);
     const dataset::DatasetSummary& summary = found.summary;
     fmt::print("{}: {} episodes, {} frames, {:.1f} s of {} x {} at {} Hz, {:.1f} MB\n",
                what.string(), summary.episodes, summary.frames, summary.seconds,
@@ -91,7 +106,13 @@ struct InspectCommand {
                        {"whole", found.whole()},
                        {"findings", findings}});
     if (!found.whole()) {
-      fmt::print("not whole; `pacer inspect {} --repair` keeps what is\n", what.string());
+      const bool readable = std::ranges::none_of(
+          found.findings, [](const dataset::Finding& finding) { return finding.where == "meta"; });
+      if (readable) {
+        fmt::print("not whole; `pacer inspect {} --repair` keeps what is\n", what.string());
+      } else {
+        fmt::print("not whole, and beyond repair: put back the file named, or record anew\n");
+      }
       throw Unfinished{};
     }
     fmt::print("whole{}\n", summary.episodes == 0 ? ", and empty: `pacer collect` fills it" : "");
@@ -134,7 +155,8 @@ void add_inspect(CLI::App& app, const std::stop_token&) {
   command->add_option("--sheet", options->sheet, "Draw a dataset's contact sheet (PNG)")
       ->check(writable_file());
   command->add_flag("--repair", options->mend,
-                    "Keep a dataset's whole episodes, and drop the rest");
+                    "Keep a dataset's episodes before the first that is damaged, and move the rest "
+                    "to .dropped");
   command->add_flag("--quick", options->quick, "Leave out the videos");
   options->common.add_to(*command);
   command->footer("Example: pacer inspect out/drives --sheet out/drives.png");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <csignal>
 #include <opencv2/core/utility.hpp>
 
 #include "apps/command.h"
@@ -17,6 +18,7 @@ constexpr int kBadUsage = 2;
 
 int main(int argc, char** argv) {
   const std::stop_token stop = pacer::stop_on_interrupt();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like any other
   cv::setNumThreads(1);  // work is spread over processes; results do not depend on the machine
   CLI::App app("pacer: teach a car to drive by showing it, in simulation and on the floor.",
                "pacer");

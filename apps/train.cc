@@ -18,6 +18,7 @@ struct TrainCommand {
   std::filesystem::path out;
 
   void run(const std::stop_token& stop) const {
+    keep_apart({dataset}, {out, common.json});
     const dataset::Dataset recorded(dataset);
     const std::string source = (dataset / "meta" / "scenario.yaml").string();
     const Scenario scenario = parse_scenario(recorded.scenario(), source, common.overrides());

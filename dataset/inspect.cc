@@ -9,6 +9,7 @@
 
 #include "core/check.h"
 #include "core/policy.h"
+#include "dataset/episode_file.h"
 #include "dataset/files.h"
 #include "dataset/layout.h"
 #include "dataset/reader.h"
@@ -112,6 +113,18 @@ void check_video(const Dataset& dataset, std::size_t episode, Depth depth, Inspe
   if (frames != entry.length) {
     into.findings.push_back(
         {where, fmt::format("has {} frames, its episode {}", frames, entry.length), true});
+  }
+}
+
+/// Every column of the episodes' tables can be read.
+void check_episode_tables(const Dataset& dataset, Inspection& into) {
+  const Layout layout(dataset.root());
+  if (!fs::is_directory(layout.episodes())) return;
+  for (const auto& entry : fs::recursive_directory_iterator(layout.episodes())) {
+    if (!entry.is_regular_file()) continue;
+    finding_errors(into.findings, place_in(layout.root(), entry.path()), [&] {
+      (void)read_episode_file(entry.path(), dataset.info(), /*with_statistics=*/true);
+    });
   }
 }
 
@@ -245,6 +258,7 @@ Inspection inspect(const fs::path& root, Depth depth) {
         finding_errors(findings, video, [&] { check_video(dataset, i, depth, inspection); });
       }
     }
+    check_episode_tables(dataset, inspection);
     check_statistics(dataset, inspection);
     check_strays(dataset, inspection);
     if (depth != Depth::kTables) check_hashes(dataset, inspection);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/check.h"
 #include "core/drive.h"
 #include "dataset/recorder.h"
 #include "dataset/writer.h"
@@ -65,6 +66,9 @@ std::string record_episode(const Scenario& scenario, Purpose purpose,
 CollectReport collect(const Scenario& scenario, Purpose purpose, std::uint64_t episodes,
                       const std::filesystem::path& folder, const RunControl& control) {
   const auto start = std::chrono::steady_clock::now();
+  if (scenario.car != "simulated") {
+    throw UsageError("car: the teacher is recorded in simulation only; set car=simulated");
+  }
   const dataset::DatasetSpec spec = spec_of(scenario);
   dataset::DatasetWriter writer(folder, spec);
   CollectReport report;

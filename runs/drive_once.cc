@@ -80,11 +80,10 @@ DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
   std::vector<StepSink*> sinks = {&progress};
   std::optional<FollowingScore> score;
   std::optional<Unhurried> unhurried;
-  if (is_scored(car->signal_columns())) {
+  if (!recorded && is_scored(car->signal_columns())) {
     score.emplace(scenario.following, car->signal_columns());
     unhurried.emplace(*score);
-    sinks.push_back(options.until_the_end || recorded ? static_cast<StepSink*>(&*unhurried)
-                                                      : &*score);
+    sinks.push_back(options.until_the_end ? static_cast<StepSink*>(&*unhurried) : &*score);
   }
   std::optional<Film> film;
   if (!options.video.empty()) {

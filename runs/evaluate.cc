@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "core/check.h"
 #include "core/drive.h"
 #include "runs/film.h"
 #include "runs/report/picture.h"
@@ -143,6 +144,9 @@ void take(const std::string& packed, const PolicySource& source, std::uint32_t e
 
 EvaluationRun evaluate(const Scenario& scenario, const std::vector<PolicySource>& policies,
                        const EvaluateOptions& options, const RunControl& control) {
+  if (scenario.car != "simulated") {
+    throw UsageError("car: policies are scored in simulation only; set car=simulated");
+  }
   EvaluationRun run;
   for (const PolicySource& source : policies) {
     source.check_rate(scenario.simulated.camera.frame_rate_hz);

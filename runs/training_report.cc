@@ -19,6 +19,10 @@ std::string to_text(const affordance::TrainingReport& report) {
         type.selected, type.kept);
     text += type.capped.empty() ? "\n" : fmt::format(" ({})\n", type.capped);
   }
+  for (const affordance::TrainingReport::Type& type : report.types) {
+    if (type.kept > 0) continue;
+    text += fmt::format("note: nothing was learnt of {}; demonstrate more of it\n", type.name);
+  }
   text += fmt::format("{} of {} new frames are matched by at least one rule\n",
                       report.frames_matched, report.frames_counted);
   double seconds = 0.0;

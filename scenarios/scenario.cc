@@ -94,6 +94,11 @@ void Scenario::validate() const {
   require(car == "simulated" || car == "replayed", "car: expected simulated or replayed");
   require(car != "replayed" || !replayed.dataset.empty(),
           "replayed.dataset: name the dataset to replay");
+  const sim::CameraConfig& camera = simulated.camera;
+  require(camera.width % 2 == 0, "simulated.camera.width_px: must be even, as a video's is");
+  require(camera.height % 2 == 0, "simulated.camera.height_px: must be even, as a video's is");
+  require(simulated.duration.count() * camera.frame_rate_hz >= 1.0,
+          "simulated.duration_s: is shorter than one frame");
   (void)simulated_for(Purpose::kCollect);
   (void)simulated_for(Purpose::kEvaluate);
 }

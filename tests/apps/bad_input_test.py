@@ -126,6 +126,30 @@ class BadInput(CommandTest):
         self.assertEqual(report.read_text(), "the old one")
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["report.html"])
 
+    def test_no_result_takes_the_place_of_what_is_read_or_of_another(self):
+        drives = self.scratch / "d"
+        shutil.copytree(DRIVES, drives)
+        both = self.scratch / "both"
+        for command in [train(drives / "meta/info.json", drives),
+                        ["inspect", drives, "--json", drives / "meta/stats.json"],
+                        ["inspect", MODEL, "--json", MODEL],
+                        self.drive("neutral", "--video", both, "--json", both)]:
+            self.assertIn("name another file", self.refusal(*command, status=BAD_USAGE))
+        self.assert_same_trees(DRIVES, drives)
+
+    def test_a_recorded_car_is_neither_taught_nor_scored(self):
+        replay = settings(car="replayed", replayed__dataset=DRIVES)
+        out = self.scratch / "d"
+        self.assertIn("car", self.refusal(*collect(out), *replay, status=BAD_USAGE))
+        self.assertIn("car", self.refusal("evaluate", SCENARIO, *SMALL, *replay, "--policy",
+                                          "neutral", status=BAD_USAGE))
+        self.assertNotIn("score", self.json_of(*self.drive("neutral"), *replay))
+
+    def test_numbers_that_do_not_fit_are_refused(self):
+        for option in [["--seed", -1], ["--seed", "9" * 30], ["--episode", -1]]:
+            self.assertIn("whole number", self.refusal(*self.drive("neutral"), *option,
+                                                       status=BAD_USAGE))
+
     def test_a_full_device_is_named(self):
         link = self.scratch / "full"
         link.symlink_to("/dev/full")

@@ -46,6 +46,19 @@ TEST(Inspect, FindsAFileThatIsNotAsItWasWritten) {
   EXPECT_TRUE(inspect(scratch / "set", Depth::kTables).whole()) << "bytes are not looked at";
 }
 
+TEST(Inspect, FindsADamagedTableOfEpisodes) {
+  const Scratch scratch;
+  record_dataset(scratch / "set", small_spec(), 1, 10);
+  const fs::path table = scratch / "set/meta/episodes/chunk-000/file-000.parquet";
+  std::fstream bytes(table, std::ios::in | std::ios::out | std::ios::binary);
+  for (std::streamoff at = 200; at < static_cast<std::streamoff>(fs::file_size(table)) / 2; ++at) {
+    bytes.seekp(at);
+    bytes.put('x');
+  }
+  bytes.close();
+  EXPECT_FALSE(inspect(scratch / "set", Depth::kTables).whole());
+}
+
 TEST(Inspect, FindsFilesOfNoEpisode) {
   const Scratch scratch;
   record_dataset(scratch / "set", small_spec(), 1, 5);
