@@ -124,7 +124,8 @@ StudyResult study_throughput(const StudyContext& context, report::Page& page) {
                     {"worker_peak_mb", peak},
                     {"worker_peak_growth_mb", growth}};
   result.claims = {
-      at_least("collect_over_bare", "recording takes a third longer than drawing alone, at most", over_bare, 0.75),
+      at_least("collect_over_bare", "recording takes a third longer than drawing alone, at most",
+               over_bare, 0.75),
       at_least("two_workers_over_one", "workers scale", two_over_one, 1.7),
       at_most("worker_peak_mb", "a worker is small", peak, 400.0),
       at_most("worker_peak_growth_mb", "memory does not grow with the recording", growth, 5.0)};
