@@ -37,26 +37,17 @@ double peak_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-}  // namespace
-
-std::uint64_t demonstrate(const Scenario& scenario, Purpose purpose, std::uint32_t episode,
-                          StepSink& sink) {
-  const Random random = scenario.episode_random(purpose, episode);
-  sim::SimCar car(scenario.simulated_for(purpose), random.fork("car"));
-  sim::Teacher teacher(scenario.teacher, car.lead_sight(), random.fork("policy").fork("teacher"));
-  return drive(car, teacher, scenario.limits, scenario.channels, sink);
-}
-
-namespace {
-
 /// The teacher drives one episode, which is recorded aside.
 std::string record_episode(const Scenario& scenario, Purpose purpose,
                            const dataset::DatasetSpec& spec, const std::filesystem::path& folder,
                            std::uint32_t episode, SharedCounter& counter) {
+  const Random random = scenario.episode_random(purpose, episode);
+  sim::SimCar car(scenario.simulated_for(purpose), random.fork("car"));
+  sim::Teacher teacher(scenario.teacher, car.lead_sight(), random.fork("policy").fork("teacher"));
   dataset::EpisodeRecorder recorder(folder, spec, episode, scenario.video);
   StepCounter steps(counter);
   Sinks sinks({&recorder, &steps});
-  const std::uint64_t frames = demonstrate(scenario, purpose, episode, sinks);
+  const std::uint64_t frames = drive(car, teacher, scenario.limits, scenario.channels, sinks);
   recorder.finish();
   return nlohmann::json{{"frames", frames}, {"peak_mb", peak_mb()}}.dump();
 }

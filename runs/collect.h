@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "core/drive.h"
 #include "runs/run_control.h"
 #include "scenarios/scenario.h"
 
@@ -18,10 +17,6 @@ struct CollectReport {
   double worker_peak_mb = 0.0;     ///< of the largest worker
   bool whole = false;              ///< false: it was stopped before the last episode
 };
-
-/// The teacher drives one episode; every step goes to `sink`. Returns the number of steps.
-std::uint64_t demonstrate(const Scenario& scenario, Purpose purpose, std::uint32_t episode,
-                          StepSink& sink);
 
 /// Lets the teacher drive `episodes` episodes of `purpose` and records them to the dataset at
 /// `folder`; goes on where an earlier run stopped. The bytes depend on the scenario alone.

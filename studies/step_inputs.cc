@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include "core/drive.h"
-#include "runs/collect.h"
+#include "sim/sim_car.h"
+#include "sim/teacher.h"
 
 namespace pacer {
 namespace {
@@ -47,10 +48,13 @@ void StepInputs::see(const mjModel* model, mjData* data) {
 }
 
 StepInputs StepInputs::of_demonstration(const Scenario& scenario, std::uint32_t episode) {
+  const Random random = scenario.episode_random(Purpose::kCollect, episode);
+  sim::SimCar car(scenario.simulated_for(Purpose::kCollect), random.fork("car"));
+  sim::Teacher teacher(scenario.teacher, car.lead_sight(), random.fork("policy").fork("teacher"));
   StepInputs inputs;
   Nobody nobody;
-  const Watch watch(inputs, see);
-  (void)demonstrate(scenario, Purpose::kCollect, episode, nobody);
+  const Watch watch(inputs, see);  // from here on: the world has settled, and a new one will have
+  (void)drive(car, teacher, scenario.limits, scenario.channels, nobody);
   return inputs;
 }
 
