@@ -4,38 +4,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+
+#include "tests/support/scratch.h"
 
 namespace pacer {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-/// An empty folder that goes with the object.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = ::testing::TempDir() + "output-XXXXXX";
-    path_ = ::mkdtemp(name.data());
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-  [[nodiscard]] fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
+using testing::Scratch;
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file);
@@ -45,7 +26,7 @@ std::string text_of(const fs::path& file) {
 void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
 TEST(OutputFile, TakesThePlaceOfTheOldOneOnlyWhenItIsKept) {
-  const ScratchFolder scratch;
+  const Scratch scratch;
   const fs::path place = scratch / "result";
   put(place, "old");
   {
@@ -64,7 +45,7 @@ TEST(OutputFile, TakesThePlaceOfTheOldOneOnlyWhenItIsKept) {
 }
 
 TEST(OutputFile, TakesABareName) {
-  const ScratchFolder scratch;
+  const Scratch scratch;
   const fs::path before = fs::current_path();
   fs::current_path(scratch.path());
   OutputFile file("bare");
@@ -75,7 +56,7 @@ TEST(OutputFile, TakesABareName) {
 }
 
 TEST(OutputFile, MakesTheFoldersAboveIt) {
-  const ScratchFolder scratch;
+  const Scratch scratch;
   OutputFile file(scratch / "a/b/result");
   file.write("x");
   file.keep();
@@ -83,7 +64,7 @@ TEST(OutputFile, MakesTheFoldersAboveIt) {
 }
 
 TEST(OutputFile, RefusesAPlaceThatCannotBeWrittenBeforeTheWork) {
-  const ScratchFolder scratch;
+  const Scratch scratch;
   put(scratch / "file", "not a folder");
   for (const fs::path& place : {scratch.path(), scratch / "file/result", fs::path()}) {
     EXPECT_THAT([&] { const OutputFile file(place); },
@@ -101,7 +82,7 @@ TEST(OutputFile, LeavesADeviceWhatItIs) {
 }
 
 TEST(OutputFile, ALinkStaysALink) {
-  const ScratchFolder scratch;
+  const Scratch scratch;
   put(scratch / "real", "old");
   fs::create_symlink("real", scratch / "link");
   OutputFile file(scratch / "link");

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
@@ -16,31 +15,11 @@
 #include "dataset/files.h"
 #include "dataset/recorder.h"
 #include "dataset/writer.h"
+#include "tests/support/scratch.h"
 
 namespace pacer::dataset::testing {
 
-/// A folder of this test's own, gone with it.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "pacer-dataset-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
-    root_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(root_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-    return root_ / name;
-  }
-
- private:
-  std::filesystem::path root_;
-};
+using pacer::testing::Scratch;
 
 inline DatasetSpec small_spec() {
   DatasetSpec spec;
