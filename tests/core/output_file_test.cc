@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/output_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -79,6 +81,19 @@ TEST(OutputFile, LeavesADeviceWhatItIs) {
               ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("No space left")));
   file.keep();
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(OutputFile, AddsToWhatSomebodyElseHasOpen) {
+  const Scratch scratch;
+  put(scratch / "log", "before ");
+  const int descriptor = ::open((scratch / "log").c_str(), O_WRONLY | O_CLOEXEC);
+  {
+    OutputFile file("/proc/self/fd/" + std::to_string(descriptor));  // as /dev/stdout may be
+    file.write("after");
+    file.keep();
+  }
+  ::close(descriptor);
+  EXPECT_EQ(text_of(scratch / "log"), "before after");
 }
 
 TEST(OutputFile, ALinkStaysALink) {
