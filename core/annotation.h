@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/frame.h"
+
 namespace pacer {
 
 /// What a mark means; sinks choose its colour.
@@ -30,11 +32,19 @@ struct BoxMark {
   Tone tone = Tone::kNeutral;
 };
 
+/// A small grey picture, e.g. an appearance that a tracker remembers; sinks show them in a row.
+struct PatchMark {
+  ImageSize size;
+  std::vector<std::uint8_t> grey;  ///< size.height x size.width, top row first
+  Tone tone = Tone::kNeutral;
+};
+
 /// What a policy saw and matched in one frame. Sinks draw it; nothing reads it back.
 struct Annotations {
   std::vector<PointMark> points;
   std::vector<LineMark> lines;
   std::vector<BoxMark> boxes;
+  std::vector<PatchMark> patches;
   std::string label;  ///< one line, e.g. "fast-left, 12 rules"
 
   /// Empties it, keeping the memory.
@@ -42,6 +52,7 @@ struct Annotations {
     points.clear();
     lines.clear();
     boxes.clear();
+    patches.clear();
     label.clear();
   }
 };

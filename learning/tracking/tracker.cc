@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/tracking/tracker.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace pacer::tracking {
+
+void Tracker::start(const Picture& picture, const Box& target) {
+  const ImageSize size{picture.grey.cols, picture.grey.rows};
+  const Box whole = Box::of_pixels(0.0, 0.0, size.width, size.height);
+  if (!is_proper(target) || target.width < 1.0 || target.height < 1.0 ||
+      overlap(target, whole) <= 0.0) {
+    throw std::invalid_argument(fmt::format(
+        "a box of {:g} x {:g} pixels at ({:g}, {:g}) has nothing to track in a picture of {} x {}",
+        target.width, target.height, target.left(), target.top(), size.width, size.height));
+  }
+  begin(picture, target);
+  size_ = size;
+}
+
+Track Tracker::update(const Picture& picture) {
+  if (size_ == ImageSize{}) throw std::logic_error("a tracker was updated before it was started");
+  const ImageSize size{picture.grey.cols, picture.grey.rows};
+  if (size != size_) {
+    throw std::invalid_argument(
+        fmt::format("the picture is {} x {} pixels, the first was {} x {}: start again", size.width,
+                    size.height, size_.width, size_.height));
+  }
+  return follow(picture);
+}
+
+void Tracker::annotate(Annotations& /*annotations*/) const {}
+
+}  // namespace pacer::tracking
