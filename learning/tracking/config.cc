@@ -49,6 +49,8 @@ void TrackingConfig::validate() const {
     }
   });
   require(template_pixels >= 4 && template_pixels <= 16384, "template_pixels: must be 4 to 16384");
+  require(registered_pixels >= 4 && registered_pixels <= 16384,
+          "registered_pixels: must be 4 to 16384");
   require(flock_predictors >= 1, "flock_predictors: must be at least 1");
   require(smat_predictors >= smat.components,
           "smat_predictors: must be at least one for each component");

@@ -8,7 +8,7 @@ struct PredictorConfig {
   int support_pixels = 150;      ///< k, intensities that a predictor looks at
   int samples = 100;             ///< N, synthetic displacements it learns from; may be fewer than k
   double support_range = 20.0;   ///< r_sp, pixels; the support lies in a disc of this radius
-  double training_range = 30.0;  ///< r_tr, pixels; displacements are drawn from a disc
+  double training_range = 30.0;  ///< r_tr, pixels; displacements go as far across and down
   double ridge = 1e-3;           ///< added to the Gram matrix, relative to its mean diagonal
 
   /// Throws std::invalid_argument, naming the field.
@@ -80,11 +80,12 @@ struct TrackingConfig {
   RegistrationConfig registration;
   SmatConfig smat;
   MedoidshiftConfig medoidshift;
-  int template_pixels = 1024;  ///< larger targets are sampled on a grid of at most as many
-  int flock_predictors = 60;   ///< LP-FLOCK's
-  int smat_predictors = 160;   ///< L, LP-SMAT's, shared out among the components
-  int med_predictors = 80;     ///< L, LP-MED's
-  double forgetting = 0.1;     ///< beta, of predictors' errors
+  int template_pixels = 1024;     ///< of a template at most: larger targets are sampled on a grid
+  int registered_pixels = 16384;  ///< likewise where templates are registered
+  int flock_predictors = 60;      ///< LP-FLOCK's
+  int smat_predictors = 160;      ///< L, LP-SMAT's, shared out among the components
+  int med_predictors = 80;        ///< L, LP-MED's
+  double forgetting = 0.1;        ///< beta, of predictors' errors
 
   /// Throws std::invalid_argument, naming section and field.
   void validate() const;
@@ -96,6 +97,7 @@ struct TrackingConfig {
     visit("smat", smat);
     visit("medoidshift", medoidshift);
     visit("template_pixels", template_pixels);
+    visit("registered_pixels", registered_pixels);
     visit("flock_predictors", flock_predictors);
     visit("smat_predictors", smat_predictors);
     visit("med_predictors", med_predictors);

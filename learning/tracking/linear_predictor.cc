@@ -54,8 +54,8 @@ void PredictorTrainer::learn(const cv::Mat1b& image, cv::Point at, LinearPredict
   const std::size_t stride = row_length(samples);
 
   const auto support = static_cast<std::size_t>(config_.support_pixels);
-  predictor.support.draw_within(config_.support_range, support, random_);
-  moved_.draw_within(config_.training_range, samples, random_);
+  predictor.support.draw_disc(config_.support_range, support, random_);
+  moved_.draw_square(config_.training_range, samples, random_);
   sample(image, at, predictor.support);
 
   // P = X (D'D + ridge)^-1 D'                                                               (3.7)

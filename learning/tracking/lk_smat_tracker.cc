@@ -10,7 +10,7 @@ LkSmatTracker::LkSmatTracker(const TrackingConfig& config) : config_(config) { c
 
 void LkSmatTracker::begin(const Picture& picture, const Box& target) {
   box_ = target;
-  grid_ = TemplateGrid(target.width, target.height, config_.template_pixels);
+  grid_ = TemplateGrid(target.width, target.height, config_.registered_pixels);
   registration_.emplace(config_.registration, grid_);
   aspects_.emplace(config_.smat, grid_.length());
   template_.resize(grid_.length());

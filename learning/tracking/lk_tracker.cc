@@ -9,7 +9,7 @@ LkTracker::LkTracker(const TrackingConfig& config) : config_(config) { config.va
 
 void LkTracker::begin(const Picture& picture, const Box& target) {
   box_ = target;
-  grid_ = TemplateGrid(target.width, target.height, config_.template_pixels);
+  grid_ = TemplateGrid(target.width, target.height, config_.registered_pixels);
   registration_.emplace(config_.registration, grid_);
   template_.resize(grid_.length());
   const cv::Point pixel = nearest_pixel(centre(target));

@@ -19,8 +19,8 @@ void LpFlockTracker::begin(const Picture& picture, const Box& target) {
 
 Track LpFlockTracker::follow(const Picture& picture) {
   const Eigen::Vector2d moved =
-      flock_->predict(picture.grey, centre(box_), Weighting::kAgreement);  // (3.11)
-  box_ = placed(box_, centre(box_) + moved, picture.grey);                 // (3.9)
+      flock_->predict(picture.grey, centre(box_), Weighting::kEqual);  // (3.8)
+  box_ = placed(box_, centre(box_) + moved, picture.grey);             // (3.9)
   return {.box = box_, .confidence = agreement(flock_->errors(), flock_->weights())};
 }
 

@@ -22,7 +22,9 @@ struct PixelSet {
   [[nodiscard]] std::size_t size() const noexcept { return dx.size(); }
 
   /// Draws the first `count` anew, evenly among the offsets no longer than `range`.
-  void draw_within(double range, std::size_t count, Random& random);
+  void draw_disc(double range, std::size_t count, Random& random);
+  /// Likewise among those with neither part longer than `range`.
+  void draw_square(double range, std::size_t count, Random& random);
 
   /// Collects the intensities around `at` into `values`, size() of them. A pixel outside the image
   /// has the value of the nearest one inside.
