@@ -2,11 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <opencv2/core/types.hpp>
-
-namespace cv {
-class Mat;
-}
+#include <opencv2/core/mat.hpp>
 
 namespace pacer::tracking {
 
@@ -18,10 +14,10 @@ class VispLibrary {
   VispLibrary(const VispLibrary&) = delete;
   VispLibrary& operator=(const VispLibrary&) = delete;
 
-  /// Both throw vpException (a std::exception) where ViSP gives up.
-  void start(const cv::Mat& grey, const cv::Rect& target);
-  /// Where the target's centre is, and how much larger than at the start it is.
-  void update(const cv::Mat& grey, cv::Point2d& centre, double& scale);
+  // Both throw vpException (a std::exception) where ViSP gives up.
+  void start(const cv::Mat1b& grey, const cv::Rect& target);
+  /// By how much the target has moved since the start.
+  [[nodiscard]] cv::Point2d update(const cv::Mat1b& grey);
 
  private:
   struct Impl;

@@ -8,9 +8,9 @@
 
 namespace pacer::tracking {
 
-/// ViSP's template tracker: Lucas-Kanade, inverse compositional, sum of squared differences, with
-/// translation, rotation and scale. The box is as upright as the first one: it follows the centre
-/// and the scale. It draws nothing: every seed gives the same tracks.
+/// ViSP's template tracker: Lucas-Kanade, inverse compositional, sum of squared differences,
+/// Levenberg-Marquardt, for translation, which is the thesis's baseline. It draws nothing: every
+/// seed gives the same tracks.
 [[nodiscard]] std::unique_ptr<Tracker> make_visp(std::uint64_t seed);
 
 }  // namespace pacer::tracking
