@@ -19,14 +19,14 @@ struct alignas(64) HalfCells {
   std::array<float, kHalves * kLanes> sums;
 };
 
-PACER_BODY Lanes magnitude(const Lanes& squared) {
+PACER_INLINE Lanes magnitude(const Lanes& squared) {
   Lanes root;
   for (std::size_t lane = 0; lane < kLanes; ++lane) root[lane] = std::sqrt(squared[lane]);
   return root;
 }
 
 /// Adds a row of samples to its half cells. A direction is counted by comparing slopes.
-PACER_BODY void add_row(const float* row, std::size_t stride, HalfCells& halves) {
+PACER_INLINE void add_row(const float* row, std::size_t stride, HalfCells& halves) {
   // tan of 11.25, 33.75, 56.25 and 78.75 degrees: the borders of sixteen directions
   constexpr float kBorders[] = {0.19891237F, 0.66817864F, 1.49660576F, 5.02733949F};
   IntLanes half;  // of the sample
@@ -60,7 +60,7 @@ PACER_BODY void add_row(const float* row, std::size_t stride, HalfCells& halves)
 }
 
 /// Each half cell counts for the cells around it as bilinear interpolation would have it.
-PACER_BODY void pool_row(const HalfCells* const* halves, ComplexLanes* cells) {
+PACER_INLINE void pool_row(const HalfCells* const* halves, ComplexLanes* cells) {
   constexpr float kWeights[] = {0.25F, 0.75F, 0.75F, 0.25F};
   std::array<ComplexLanes, kHalves + 2> pooled;  // `re`; a border on either side
   pooled.front() = ComplexLanes();
@@ -81,25 +81,25 @@ PACER_BODY void pool_row(const HalfCells* const* halves, ComplexLanes* cells) {
   }
 }
 
-PACER_BODY float sum_of(const Lanes& lanes) {
+PACER_INLINE float sum_of(const Lanes& lanes) {
   float sum = 0.0F;
   for (std::size_t i = 0; i < kLanes; ++i) sum += lanes[i];
   return sum;
 }
 
 /// Directions that differ by half a turn are one orientation: it stands in both halves.
-PACER_BODY Lanes orientations(const Lanes& directions) {
+PACER_INLINE Lanes orientations(const Lanes& directions) {
   return directions + __builtin_shufflevector(directions, directions, 8, 9, 10, 11, 12, 13, 14, 15,
                                               0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-PACER_BODY Lanes clipped(const Lanes& values) {
+PACER_INLINE Lanes clipped(const Lanes& values) {
   const Lanes limit = Lanes{} + kClip;
   return values < limit ? values : limit;
 }
 
-PACER_BODY void describe_cell(const Lanes& directions, const float* inverse_norms, float intensity,
-                              float fade, ComplexLanes& into) {
+PACER_INLINE void describe_cell(const Lanes& directions, const float* inverse_norms,
+                                float intensity, float fade, ComplexLanes& into) {
   const Lanes both = orientations(directions);
   Lanes directed{};
   Lanes oriented{};
@@ -117,8 +117,8 @@ PACER_BODY void describe_cell(const Lanes& directions, const float* inverse_norm
   for (std::size_t n = 13; n < kLanes; ++n) into.im[n] = 0.0F;
 }
 
-PACER_BODY void describe_body(const float* samples, std::size_t stride, const float* window,
-                              ComplexLanes* cells, float* energy, FeatureMap& map) {
+PACER_INLINE void describe_body(const float* samples, std::size_t stride, const float* window,
+                                ComplexLanes* cells, float* energy, FeatureMap& map) {
   std::array<HalfCells, 4> ring;
   for (std::size_t half = 0; half <= kHalves; ++half) {
     if (half < kHalves) {
@@ -186,7 +186,7 @@ GradientFeatures::GradientFeatures() : cells_(kBordered * kBordered) {
 }
 
 void GradientFeatures::describe(const Patch& patch, FeatureMap& map) {
-  static const Describe widest = kDescribe[widest_target()];
+  static const Describe widest = kDescribe[processor_kinds() - 1];
   widest(patch.data(), patch.stride, window_.data(), cells_.data(), energy_.data(), map);
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "learning/tracking/vector_targets.h"
+#include "learning/tracking/lanes.h"
 
 namespace pacer::tracking {
 namespace {
@@ -22,8 +22,8 @@ struct Walk {
   int stride = 0;
 };
 
-PACER_BODY void halve_body(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
-                           std::uint8_t* to, std::ptrdiff_t to_stride) {
+PACER_INLINE void halve_body(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
+                             std::uint8_t* to, std::ptrdiff_t to_stride) {
   for (int row = 0; row < height; ++row) {
     const std::uint8_t* const above = from + 2 * row * stride;
     const std::uint8_t* const below = above + stride;
@@ -36,7 +36,7 @@ PACER_BODY void halve_body(const std::uint8_t* from, std::ptrdiff_t stride, int 
 }
 
 /// Four bytes from each of sixteen places: plain loads are as fast as gathers, and safe anywhere.
-PACER_BODY IntLanes words_at(const std::uint8_t* base, const IntLanes& offsets) {
+PACER_INLINE IntLanes words_at(const std::uint8_t* base, const IntLanes& offsets) {
   alignas(64) std::array<std::int32_t, kLanes> at;
   alignas(64) std::array<std::int32_t, kLanes> found;
   std::memcpy(at.data(), &offsets, sizeof at);
@@ -46,7 +46,7 @@ PACER_BODY IntLanes words_at(const std::uint8_t* base, const IntLanes& offsets) 
   return words;
 }
 
-PACER_BODY void sample_body(const Walk& walk, int rows, int blocks, float* to) {
+PACER_INLINE void sample_body(const Walk& walk, int rows, int blocks, float* to) {
   Lanes column;
   for (std::size_t lane = 0; lane < kLanes; ++lane) column[lane] = static_cast<float>(lane);
   const std::size_t stride = static_cast<std::size_t>(blocks) * kLanes;
@@ -110,7 +110,7 @@ using Avx512 = AnyProcessor;
 
 const PatchLoops& loops() noexcept {
   static const PatchLoops widest =
-      std::array{AnyProcessor::kLoops, Avx2::kLoops, Avx512::kLoops}[widest_target()];
+      std::array{AnyProcessor::kLoops, Avx2::kLoops, Avx512::kLoops}[processor_kinds() - 1];
   return widest;
 }
 

@@ -29,15 +29,15 @@ constexpr std::array<std::size_t, kGrid> kReversed = [] {
   return reversed;
 }();
 
-PACER_BODY void turn(ComplexLanes& x, std::complex<float> by) {
+PACER_INLINE void turn(ComplexLanes& x, std::complex<float> by) {
   const Lanes re = x.re * by.real() - x.im * by.imag();
   x.im = x.re * by.imag() + x.im * by.real();
   x.re = re;
 }
 
 /// x = a + b and y = a - b; x and y may be a and b.
-PACER_BODY void add_and_subtract(const ComplexLanes& a, const ComplexLanes& b, ComplexLanes& x,
-                                 ComplexLanes& y) {
+PACER_INLINE void add_and_subtract(const ComplexLanes& a, const ComplexLanes& b, ComplexLanes& x,
+                                   ComplexLanes& y) {
   const Lanes re = a.re - b.re;
   const Lanes im = a.im - b.im;
   x.re = a.re + b.re;
@@ -48,7 +48,7 @@ PACER_BODY void add_and_subtract(const ComplexLanes& a, const ComplexLanes& b, C
 
 /// Four numbers become their transform; kBack: the other way, unscaled.
 template <bool kBack>
-PACER_BODY void butterfly4(ComplexLanes& a, ComplexLanes& b, ComplexLanes& c, ComplexLanes& d) {
+PACER_INLINE void butterfly4(ComplexLanes& a, ComplexLanes& b, ComplexLanes& c, ComplexLanes& d) {
   add_and_subtract(a, c, a, c);
   add_and_subtract(b, d, b, d);
   const Lanes re = d.re;  // b - d turns by a right angle: by -i, or back by i
@@ -62,7 +62,7 @@ PACER_BODY void butterfly4(ComplexLanes& a, ComplexLanes& b, ComplexLanes& c, Co
 /// The transform of a line of kGrid = 4 x 4 x 2 numbers a lane, decimated in time: `line` is in
 /// reversed order, and becomes the transform in order.
 template <bool kBack>
-PACER_BODY void transform_line(ComplexLanes* line) {
+PACER_INLINE void transform_line(ComplexLanes* line) {
   const auto twiddle = [](std::size_t n) {
     return kBack ? std::conj(kTwiddles[n % kGrid]) : kTwiddles[n % kGrid];
   };
@@ -88,7 +88,7 @@ PACER_BODY void transform_line(ComplexLanes* line) {
 }
 
 template <bool kBack>
-PACER_BODY void transform_row(ComplexLanes* row) {
+PACER_INLINE void transform_row(ComplexLanes* row) {
   std::array<ComplexLanes, kGrid> line;
   for (std::size_t i = 0; i < kGrid; ++i) line[kReversed[i]] = row[i];
   transform_line<kBack>(line.data());
@@ -96,7 +96,7 @@ PACER_BODY void transform_row(ComplexLanes* row) {
 }
 
 template <bool kBack>
-PACER_BODY void transform_column(ComplexLanes* column, std::size_t first, std::size_t last) {
+PACER_INLINE void transform_column(ComplexLanes* column, std::size_t first, std::size_t last) {
   std::array<ComplexLanes, kGrid> line;
   for (std::size_t i = 0; i < kGrid; ++i) {
     line[kReversed[i]] = i >= first && i < last ? column[i * kStride] : ComplexLanes();
@@ -105,7 +105,7 @@ PACER_BODY void transform_column(ComplexLanes* column, std::size_t first, std::s
   for (std::size_t i = 0; i < kGrid; ++i) column[i * kStride] = line[i];
 }
 
-PACER_BODY void forward_body(ComplexLanes* cells, const CellRange& filled) {
+PACER_INLINE void forward_body(ComplexLanes* cells, const CellRange& filled) {
   for (std::size_t r = filled.first_row; r < filled.last_row; ++r) {
     transform_row<false>(cells + r * kStride);
   }
@@ -114,7 +114,7 @@ PACER_BODY void forward_body(ComplexLanes* cells, const CellRange& filled) {
   }
 }
 
-PACER_BODY void back_body(ComplexLanes* cells, const CellRange& wanted) {
+PACER_INLINE void back_body(ComplexLanes* cells, const CellRange& wanted) {
   for (std::size_t c = 0; c < kGrid; ++c) transform_column<true>(cells + c, 0, kGrid);
   constexpr float kScale = 1.0F / float{kGrid * kGrid};
   for (std::size_t r = 0; r < kGrid; ++r) {
@@ -132,7 +132,7 @@ PACER_BODY void back_body(ComplexLanes* cells, const CellRange& wanted) {
   }
 }
 
-PACER_BODY float sum_of(const Lanes& lanes) {
+PACER_INLINE float sum_of(const Lanes& lanes) {
   std::array<float, kLanes> sums;
   for (std::size_t i = 0; i < kLanes; ++i) sums[i] = lanes[i];
   for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
@@ -141,8 +141,8 @@ PACER_BODY float sum_of(const Lanes& lanes) {
   return sums[0];
 }
 
-PACER_BODY void products_body(const ComplexLanes* a, const ComplexLanes* b,
-                              std::complex<float>* sums) {
+PACER_INLINE void products_body(const ComplexLanes* a, const ComplexLanes* b,
+                                std::complex<float>* sums) {
   for (std::size_t r = 0; r < kGrid; ++r) {
     for (std::size_t c = 0; c < kGrid; ++c) {
       const ComplexLanes& x = a[r * kStride + c];
@@ -152,8 +152,8 @@ PACER_BODY void products_body(const ComplexLanes* a, const ComplexLanes* b,
   }
 }
 
-PACER_BODY void multiply_body(const std::complex<float>* factor, const ComplexLanes* map,
-                              ComplexLanes* into) {
+PACER_INLINE void multiply_body(const std::complex<float>* factor, const ComplexLanes* map,
+                                ComplexLanes* into) {
   for (std::size_t r = 0; r < kGrid; ++r) {
     for (std::size_t c = 0; c < kGrid; ++c) {
       ComplexLanes value = map[r * kStride + c];
@@ -163,7 +163,7 @@ PACER_BODY void multiply_body(const std::complex<float>* factor, const ComplexLa
   }
 }
 
-PACER_BODY void blend_body(ComplexLanes* map, const ComplexLanes* other, float rate) {
+PACER_INLINE void blend_body(ComplexLanes* map, const ComplexLanes* other, float rate) {
   for (std::size_t i = 0; i < kGrid * kStride; ++i) {
     map[i].re += rate * (other[i].re - map[i].re);
     map[i].im += rate * (other[i].im - map[i].im);
@@ -171,7 +171,7 @@ PACER_BODY void blend_body(ComplexLanes* map, const ComplexLanes* other, float r
 }
 
 /// A plane's columns are lanes: two blocks of sixteen.
-PACER_BODY void plane_back_body(std::complex<float>* plane, float* into) {
+PACER_INLINE void plane_back_body(std::complex<float>* plane, float* into) {
   constexpr std::size_t kBlocks = kGrid / kLanes;
   std::array<ComplexLanes, kGrid> line;
   for (int pass = 0; pass < 2; ++pass) {
@@ -242,7 +242,7 @@ using Avx512 = AnyProcessor;
 
 const SpectrumLoops& loops() noexcept {
   static const SpectrumLoops widest =
-      std::array{AnyProcessor::kLoops, Avx2::kLoops, Avx512::kLoops}[widest_target()];
+      std::array{AnyProcessor::kLoops, Avx2::kLoops, Avx512::kLoops}[processor_kinds() - 1];
   return widest;
 }
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "learning/tracking/vector_targets.h"
+#include "learning/tracking/lanes.h"
 
 namespace pacer::tracking {
 
