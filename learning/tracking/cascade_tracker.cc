@@ -15,6 +15,18 @@ constexpr double kSlack = 1.3;   // of the pyramid: the target may move before i
 constexpr double kLeastScale = 0.1;
 constexpr double kMostScale = 10.0;
 
+/// `pose`, with its middle in the image.
+Similarity inside(const cv::Mat1b& image, Similarity pose) {
+  pose.x = std::clamp(pose.x, 0.0, image.cols - 1.0);
+  pose.y = std::clamp(pose.y, 0.0, image.rows - 1.0);
+  return pose;
+}
+
+Similarity rescaled(Similarity pose, double by) {
+  pose.scale = std::clamp(pose.scale * by, kLeastScale, kMostScale);
+  return pose;
+}
+
 }  // namespace
 
 void CascadeConfig::validate() const {
@@ -26,6 +38,7 @@ void CascadeConfig::validate() const {
   require(rounds >= 1 && rounds <= 20, "rounds must be 1 to 20");
   require(gain > 0.0 && gain <= 1.0, "gain must be above 0, and 1 at most");
   require(better >= 0.0, "better must not be negative");
+  require(rescale > 1.0 && rescale <= 2.0, "rescale must be above 1, and 2 at most");
   require(rate > 0.0 && rate <= 1.0, "rate must be above 0, and 1 at most");
   require(unlike < alike && alike <= 1.0, "unlike must lie below alike, and alike at 1 at most");
   require(new_aspect_above < new_aspect_below, "new_aspect_above must lie below new_aspect_below");
@@ -105,44 +118,53 @@ PoseChange CascadeTracker::refine() {
   return best;
 }
 
+CascadeTracker::Sighting CascadeTracker::locate(const cv::Mat1b& image, const Similarity& pose) {
+  look_around(image, pose);
+  const Peak peak = filter_->locate(spectrum_);
+  const double cell = search_unit_ * GradientFeatures::kCell;
+  return {.pose = inside(image, pose.moved(peak.x * cell, peak.y * cell)), .answer = peak.value};
+}
+
+double CascadeTracker::trust() const {
+  const double likeness = static_cast<double>(likeness_);
+  return std::clamp((likeness - config_.unlike) / (config_.alike - config_.unlike), 0.0, 1.0);
+}
+
 Track CascadeTracker::follow(const Picture& picture) {
   const cv::Mat1b& image = picture.grey;
   pyramid_.forget();
 
   // The longest range: where did it go?
-  look_around(image, pose_);
-  const Peak peak = filter_->locate(spectrum_);
-  const double cell = search_unit_ * GradientFeatures::kCell;
-  pose_ = pose_.moved(peak.x * cell, peak.y * cell);
+  Sighting found = locate(image, pose_);
 
   // The shorter ones: position, scale and rotation, by the aspect that is seen.
-  look_at(image, pose_);
-  const PoseChange change = refine();
-  Similarity moved = pose_.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
-                                 static_cast<double>(change[kDown]) * aspect_unit_);
-  moved.x = std::clamp(moved.x, 0.0, image.cols - 1.0);
-  moved.y = std::clamp(moved.y, 0.0, image.rows - 1.0);
-  Similarity changed = moved;
-  changed.scale =
-      std::clamp(moved.scale * std::exp(config_.gain * static_cast<double>(change[kLogScale])),
-                 kLeastScale, kMostScale);
-  changed.angle += config_.gain * static_cast<double>(change[kAngle]);
-
-  // The filter, which knows the background too, has to like the change.
-  pose_ = changed;
-  look_around(image, pose_);
-  if (changed.scale != moved.scale || changed.angle != moved.angle) {
-    if (filter_->locate(spectrum_).value < config_.better * peak.value) {
+  look_at(image, found.pose);
+  const PoseChange change = refine() * static_cast<float>(trust());
+  const Similarity moved =
+      inside(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
+                                     static_cast<double>(change[kDown]) * aspect_unit_));
+  if (static_cast<double>(likeness_) < config_.unlike) {
+    // No aspect that is known: the filter looks for it larger and smaller.
+    for (const double step : {1.0 / config_.rescale, config_.rescale}) {
+      const Sighting other = locate(image, rescaled(moved, step));
+      if (other.answer > found.answer) found = other;
+    }
+    pose_ = found.pose;
+    look_around(image, pose_);
+  } else {
+    const double growth = std::exp(config_.gain * static_cast<double>(change[kLogScale]));
+    pose_ = rescaled(moved, growth);
+    pose_.angle += config_.gain * static_cast<double>(change[kAngle]);
+    // The filter, which knows the background too, has to like the change.
+    if (locate(image, pose_).answer < config_.better * found.answer) {
       pose_ = moved;
       look_around(image, pose_);
     }
   }
 
   // Learn from what is surely the target.
+  if (trust() > 0.0) filter_->learn(spectrum_, config_.rate * trust());
   const double likeness = static_cast<double>(likeness_);
-  const double trust =
-      std::clamp((likeness - config_.unlike) / (config_.alike - config_.unlike), 0.0, 1.0);
-  if (trust > 0.0) filter_->learn(spectrum_, config_.rate * trust);
   if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above) {
     look_at(image, pose_);
     memory_.remember(*trainer_, aspect_patch_, matched_);

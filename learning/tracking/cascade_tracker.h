@@ -20,12 +20,11 @@ struct CascadeConfig {
   CorrelationFilterConfig filter;
   PosePredictorConfig predictor;
   AppearanceMemoryConfig memory;
-  int rounds = 2;        ///< of the pose predictor in a frame
-  double gain = 0.7;     ///< share of a change of scale or angle that is followed at once
-  double better = 1.01;  ///< by which the filter must answer more for such a change to stand
-  double rate = 0.02;    ///< share of a new picture in the filter's memory
-  double unlike = 0.4;   ///< likeness at which the filter learns nothing
-  double alike = 0.8;    ///< likeness from which on it learns at the full rate
+  int rounds = 2;         ///< of the pose predictor in a frame
+  double gain = 0.7;      ///< share of a change of scale or angle that is followed at once
+  double better = 1.01;   ///< by which the filter must answer more for such a change to stand
+  double rescale = 1.05;  ///< steps of scale in which it is looked for where it is not alike
+  double rate = 0.02;     ///< share of a new picture in the filter's memory
   double new_aspect_below = 0.65;  ///< likeness below which a new aspect is learnt
   double new_aspect_above = 0.5;   ///< but not below this one: it may be something else
 
@@ -41,10 +40,11 @@ struct CascadeConfig {
     visit("memory", memory);
     visit("rounds", rounds);
     visit("gain", gain);
-    visit("better", better);
-    visit("rate", rate);
     visit("unlike", unlike);
     visit("alike", alike);
+    visit("better", better);
+    visit("rescale", rescale);
+    visit("rate", rate);
     visit("new_aspect_below", new_aspect_below);
     visit("new_aspect_above", new_aspect_above);
   }
@@ -70,8 +70,16 @@ class CascadeTracker final : public Tracker {
   void look_around(const cv::Mat1b& image, const Similarity& pose);
   /// The target itself at `pose`, in `aspect_patch_`.
   void look_at(const cv::Mat1b& image, const Similarity& pose);
-  /// The pose to which the aspect's predictor, and only if that makes it more alike, leads.
+  /// Where the filter finds the target in the region around `pose`, and how well.
+  struct Sighting {
+    Similarity pose;
+    double answer = 0.0;  ///< of the filter
+  };
+  [[nodiscard]] Sighting locate(const cv::Mat1b& image, const Similarity& pose);
+  /// By how much the aspect's predictor, where that makes it more alike, would change the pose.
   [[nodiscard]] PoseChange refine();
+  /// How far what the aspect says is to be believed, in [0, 1].
+  [[nodiscard]] double trust() const;
 
   CascadeConfig config_;
   Random random_;

@@ -27,12 +27,18 @@ double bell(std::size_t at, double spread) {
   return std::exp(-0.5 * d * d / (spread * spread));
 }
 
-/// Of a peak between its neighbours: the offset of the parabola's top.
-double top_of(float before, float at, float after) {
+/// Of a peak between its neighbours: how far off the parabola's top is, and how much higher.
+struct Top {
+  double offset = 0.0;
+  double rise = 0.0;
+};
+Top top_of(float before, float at, float after) {
+  const double slope = 0.5 * (static_cast<double>(after) - static_cast<double>(before));
   const double curve =
       static_cast<double>(before) - 2.0 * static_cast<double>(at) + static_cast<double>(after);
-  if (curve >= 0.0) return 0.0;
-  return std::clamp(0.5 * static_cast<double>(before - after) / curve, -0.5, 0.5);
+  if (curve >= 0.0) return {};
+  const double offset = std::clamp(-slope / curve, -0.5, 0.5);
+  return {.offset = offset, .rise = offset * (slope + 0.5 * curve * offset)};
 }
 
 double displacement(std::size_t index) {
@@ -119,11 +125,11 @@ Peak CorrelationFilter::locate(const FeatureMap& spectrum) {
   const auto at = [&](std::size_t row, std::size_t column) {
     return response_[row % kGrid * kGrid + column % kGrid];
   };
-  Peak peak;
-  peak.value = static_cast<double>(response_[best]);
-  peak.x = displacement(c) + top_of(at(r, c + kGrid - 1), response_[best], at(r, c + 1));
-  peak.y = displacement(r) + top_of(at(r + kGrid - 1, c), response_[best], at(r + 1, c));
-  return peak;
+  const Top across = top_of(at(r, c + kGrid - 1), response_[best], at(r, c + 1));
+  const Top down = top_of(at(r + kGrid - 1, c), response_[best], at(r + 1, c));
+  return {.x = displacement(c) + across.offset,
+          .y = displacement(r) + down.offset,
+          .value = static_cast<double>(response_[best]) + across.rise + down.rise};
 }
 
 }  // namespace pacer::tracking
