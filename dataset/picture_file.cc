@@ -33,7 +33,7 @@ void read_picture(const std::filesystem::path& path, cv::Mat& picture) {
   if (width <= 0 || height <= 0 || width > kMostPixels / height) {
     fail(path, fmt::format("it is {} x {} pixels", width, height));
   }
-  if (!whole) fail(path, "it was cut short");
+  if (!whole) fail(path, "it was cut short or damaged");
   try {
     const cv::Mat encoded(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data());
     cv::imdecode(encoded, cv::IMREAD_UNCHANGED, &picture);

@@ -3,7 +3,11 @@
 
 #include <charconv>
 #include <cstddef>
-#include <cstdlib>
+#include <system_error>
+
+extern "C" {
+#include <libavutil/crc.h>
+}
 
 namespace pacer::dataset {
 namespace {
@@ -34,6 +38,9 @@ Header read_png(std::string_view bytes) {
   for (std::size_t at = kSignature; bytes.size() - at >= kAround;) {
     const auto length = static_cast<std::size_t>(big_endian(bytes, at, 4));
     if (length > bytes.size() - at - kAround) break;
+    const auto* const named = reinterpret_cast<const std::uint8_t*>(bytes.data()) + at + 4;
+    const std::uint32_t sum = ~av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), ~0U, named, length + 4);
+    if (sum != static_cast<std::uint32_t>(big_endian(bytes, at + 8 + length, 4))) break;
     if (bytes.substr(at + 4, 4) == "IEND") header.whole = true;
     if (header.whole) break;
     at += kAround + length;
@@ -89,6 +96,7 @@ Header read_bmp(std::string_view bytes) {
   }
   const bool run_length = packing == 1 || packing == 2;  // of any length
   const std::int64_t row = (header.width * bits + 31) / 32 * 4;
+  if (packing < 0 || packing > 3) return {};
   header.whole =
       run_length || (header.height < (std::int64_t{1} << 20) &&
                      start + row * header.height <= static_cast<std::int64_t>(bytes.size()));

@@ -13,7 +13,7 @@ namespace pacer::dataset {
 struct PictureHeader {
   std::int64_t width = 0;   ///< pixels
   std::int64_t height = 0;  ///< pixels
-  bool whole = false;       ///< the file is as long as its parts say
+  bool whole = false;       ///< as long as its parts say, and as their checksums say
 };
 
 /// Of a PNG, JPEG, BMP or binary PNM; none where `bytes` is no such file, or ends in its header.

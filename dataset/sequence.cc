@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostBoxes = 10 * kMostPictures;  // of all targets
 constexpr const char* kTruths =
     "groundtruth_rect.txt (OTB), groundtruth.txt (VOT, GOT-10k) or gt.txt (TLD)";
 
@@ -89,6 +90,11 @@ void apply_absence(const fs::path& file, std::vector<std::optional<Box>>& boxes)
 void read_targets(const TruthFiles& truth, const std::vector<NumberedPicture>& pictures,
                   Sequence& sequence) {
   const bool several = truth.files.size() > 1;
+  if (truth.files.size() * std::max<std::size_t>(pictures.size(), 1) > kMostBoxes) {
+    throw std::runtime_error(fmt::format("{}: {} targets in {} pictures are more than can be held",
+                                         sequence.path.string(), truth.files.size(),
+                                         pictures.size()));
+  }
   for (const TruthFile& file : truth.files) {
     auto lines = parse_boxes(read_text(file.path), truth.layout, file.path.string());
     if (lines.empty()) {
