@@ -22,6 +22,8 @@ struct CascadeConfig {
   AppearanceMemoryConfig memory;
   int rounds = 2;         ///< of the pose predictor in a frame
   double gain = 0.7;      ///< share of a change of scale or angle that is followed at once
+  double unlike = 0.5;    ///< likeness at which an aspect's predictor counts for nothing
+  double alike = 0.85;    ///< likeness from which on it counts in full
   double better = 1.01;   ///< by which the filter must answer more for such a change to stand
   double rescale = 1.05;  ///< steps of scale in which it is looked for where it is not alike
   double rate = 0.02;     ///< share of a new picture in the filter's memory
