@@ -32,7 +32,7 @@ struct FaceHand {
   Keyframes ahead{{0, 0},       {200, 0.01},  {420, 0},     {490, 0.16}, {545, 0.14}, {600, 0.0},
                   {700, -0.04}, {800, -0.30}, {850, -0.28}, {930, 0.06}, {1000, 0}};  // metres
   // The hand that passes, metres from the middle of the face to the left.
-  Keyframes passing{{196, 0.62}, {203, 0.125}, {213, 0.0}, {223, -0.125}, {230, -0.62}};
+  Keyframes passing{{196, 0.62}, {203, 0.128}, {213, 0.0}, {223, -0.09}, {231, -0.62}};
   // The hand that takes the glasses: metres below and beside its grip on them.
   Keyframes reach{{338, 0.5}, {357, 0.0}, {364, 0.0}, {372, 0.04}, {392, 0.55}};
   Keyframes lamp{{0, 1.0},    {430, 1.0}, {560, 1.0}, {590, 0.42}, {660, 0.5},
@@ -110,7 +110,7 @@ Scene face_hand(const Random& random) {
 
     const double beside = script.passing.at(frame);
     stage.place("passing",
-                room * hand_at(face * Vector3d(0.19, 0.0, 0.0) +
+                room * hand_at(face * Vector3d(0.22, 0.0, 0.0) +
                                    Vector3d(0.0, beside, -0.03 - 0.15 * std::abs(beside)),
                                {-1.0, 0.0, 0.1}, {0.0, -0.35 - 0.5 * beside, 1.0}));
     // Glasses stay on the nose until the hand that has them goes.

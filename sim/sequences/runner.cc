@@ -209,8 +209,8 @@ Scene runner(const Random& random) {
     const double focal = stage.lens().focal();
     const double zoom = race.tall.at(frame) * (middle - eye).norm() / (kAthleteHeight * focal);
     const Vector2d wanted =
-        stage.lens().centre() + Vector2d(30.0 * race.aside.at(frame) + 6.0 * race.late.at(frame),
-                                         14.0 * race.down.at(frame));
+        stage.lens().centre() + Vector2d(40.0 * race.aside.at(frame) + 10.0 * race.late.at(frame),
+                                         16.0 * race.down.at(frame));
     stage.frame(eye, middle, wanted, 0.0, zoom);
   };
   return scene;
