@@ -28,6 +28,7 @@ std::string titled(const Axis& axis) {
 
 json quantity(const std::string& field, const Axis& axis) {
   json scale = {{"zero", axis.from_zero}, {"nice", !axis.limits}};
+  if (axis.log) scale = {{"type", "log"}};
   if (axis.limits) scale["domain"] = {axis.limits->low, axis.limits->high};
   return {{"field", field},
           {"type", "quantitative"},

@@ -22,6 +22,7 @@ struct Axis {
   std::string unit = {};             ///< shown after the title
   std::optional<Range> limits = {};  ///< else from the data
   bool from_zero = false;            ///< else the data's own range
+  bool log = false;                  ///< logarithmic; values that are not positive are left out
 };
 
 struct ChartStyle {

@@ -51,10 +51,8 @@ cv::Scalar colour_of(std::string_view code) {
           static_cast<double>(value & 255U)};
 }
 
-Marker::Marker(cv::Mat& image, int scale)
-    : image_(image),
-      scale_(scale),
-      reach_(4.0F * static_cast<float>(std::max(image.cols, image.rows))) {}
+Marker::Marker(cv::Mat& image, double scale)
+    : image_(image), scale_(scale), reach_(4.0 * std::max(image.cols, image.rows)) {}
 
 void Marker::marks(const Annotations& annotations) {
   for (const LineMark& mark : annotations.lines) line(mark);
@@ -82,9 +80,9 @@ void Marker::box(const BoxMark& mark) {
 
 void Marker::point(const PointMark& mark) {
   if (!shown(mark.at) || !std::isfinite(mark.radius)) return;
-  const float radius = std::clamp(mark.radius * static_cast<float>(scale_), 2.5F, reach_);
+  const double radius = std::clamp(static_cast<double>(mark.radius) * scale_, 2.5, reach_);
   const int fixed_radius = static_cast<int>(std::lround(radius * (1 << kShift)));
-  if (radius < 4.0F) {  // too small for a ring: a dot
+  if (radius < 4.0) {  // too small for a ring: a dot
     cv::circle(image_, fixed(mark.at), fixed_radius + (3 << (kShift - 1)), canvas::kShadow,
                cv::FILLED, cv::LINE_AA, kShift);
     cv::circle(image_, fixed(mark.at), fixed_radius, colour_of(mark.tone), cv::FILLED, cv::LINE_AA,
@@ -133,7 +131,7 @@ void Marker::dashes(cv::Point from, cv::Point to, const cv::Scalar& colour, int 
 
 bool Marker::shown(PixelPoint at) const {
   const auto inside = [this](float value) {
-    return std::isfinite(value) && std::abs(value) * static_cast<float>(scale_) <= reach_;
+    return std::isfinite(value) && std::abs(static_cast<double>(value)) * scale_ <= reach_;
   };
   return inside(at.x) && inside(at.y);
 }

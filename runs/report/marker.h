@@ -16,7 +16,7 @@ namespace pacer::report {
 class Marker {
  public:
   /// `image` is RGB and outlives it.
-  Marker(cv::Mat& image, int scale);
+  Marker(cv::Mat& image, double scale);
 
   /// Lines, boxes, points; the ones that matter come last, on top. Not the label, not the patches.
   void marks(const Annotations& annotations);
@@ -33,8 +33,8 @@ class Marker {
   void dashes(cv::Point from, cv::Point to, const cv::Scalar& colour, int width);
 
   cv::Mat& image_;
-  int scale_;
-  float reach_;  // picture pixels; OpenCV's fixed point overflows far beyond
+  double scale_;
+  double reach_;  // picture pixels; OpenCV's fixed point overflows far beyond
 };
 
 [[nodiscard]] cv::Scalar colour_of(Tone tone);

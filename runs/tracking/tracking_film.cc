@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runs/tracking/tracking_film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pacer {
+
+const Frame& TrackerDrawing::draw(std::size_t at, const tracking::Picture& picture,
+                                  const tracking::Track& track, const tracking::Tracker& tracker,
+                                  const std::optional<Box>& truth) {
+  marks_.clear();
+  tracker.annotate(marks_);
+  if (!view_) {
+    const ImageSize size{picture.bgr.cols, picture.bgr.rows};
+    std::vector<BoxStyle> styles = {{.name = tracker_, .colour = "#FF9F1C"}};
+    if (with_truth_) styles.push_back(truth_style());
+    view_.emplace(size, std::move(styles),
+                  TrackingView::Layout{.scale = TrackingView::magnification(size),
+                                       .patches = !marks_.patches.empty()});
+  }
+  const bool lost = track.confidence <= 0.0;
+  const std::string state = lost ? "lost" : fmt::format("confidence {:.2f}", track.confidence);
+  const std::array<std::optional<Box>, 2> boxes = {truth,
+                                                   lost ? std::nullopt : std::optional(track.box)};
+  view_->draw(picture.bgr, fmt::format("picture {}   {}", at + 1, state), boxes, marks_, drawn_);
+  return drawn_;
+}
+
+TrackingFilm::TrackingFilm(const std::filesystem::path& file, int rate_hz, int quality)
+    : file_(file), rate_hz_(rate_hz), quality_(quality) {}
+
+void TrackingFilm::write(const Frame& drawn) {
+  if (!encoder_) {
+    encoder_.emplace(
+        file_.path(), drawn.size, rate_hz_,
+        dataset::VideoSettings{
+            .preset = "veryfast", .quality = quality_, .key_frame_every = 2 * rate_hz_});
+  }
+  encoder_->write(drawn);
+}
+
+void TrackingFilm::close() {
+  if (!encoder_) return;
+  encoder_->close();
+  file_.keep();
+}
+
+int film_rate(const dataset::Sequence& sequence) {
+  constexpr double kUsual = 25.0;
+  double rate = kUsual;
+  if (sequence.layout == dataset::SequenceLayout::kVideo) {
+    rate = dataset::VideoDecoder(sequence.path).rate_hz();
+    if (!(rate >= 1.0)) rate = kUsual;  // the file does not say
+  }
+  return static_cast<int>(std::lround(std::min(rate, 1000.0)));
+}
+
+}  // namespace pacer

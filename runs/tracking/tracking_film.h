@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/output_file.h"
+#include "dataset/sequence.h"
+#include "dataset/video.h"
+#include "learning/tracking/tracker.h"
+#include "runs/tracking/tracking_view.h"
+
+namespace pacer {
+
+/// Draws one tracker at work: its box, the truth, and what it makes of each picture (predictors,
+/// aspects).
+class TrackerDrawing {
+ public:
+  TrackerDrawing(std::string tracker, bool with_truth)
+      : tracker_(std::move(tracker)), with_truth_(with_truth) {}
+
+  /// The sequence's `at`-th picture, drawn; valid until the next call. A track of confidence 0 has
+  /// no box.
+  [[nodiscard]] const Frame& draw(std::size_t at, const tracking::Picture& picture,
+                                  const tracking::Track& track, const tracking::Tracker& tracker,
+                                  const std::optional<Box>& truth = {});
+
+ private:
+  std::string tracker_;
+  bool with_truth_;
+  std::optional<TrackingView> view_;
+  Annotations marks_;
+  Frame drawn_;
+};
+
+/// A video in the making: opened with the size of what it is given first.
+class TrackingFilm {
+ public:
+  /// Tries `file` at once, like OutputFile.
+  TrackingFilm(const std::filesystem::path& file, int rate_hz, int quality = 23);
+
+  /// Throws std::runtime_error, naming the file, when it cannot be written.
+  void write(const Frame& drawn);
+  /// Finishes the file; nothing is left of it where nothing was written.
+  void close();
+
+ private:
+  OutputFile file_;
+  int rate_hz_;
+  int quality_;
+  std::optional<dataset::VideoEncoder> encoder_;
+};
+
+/// The rate that a film of `sequence` is shown at: its own where it is a video, else 25.
+[[nodiscard]] int film_rate(const dataset::Sequence& sequence);
+
+}  // namespace pacer
