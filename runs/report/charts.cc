@@ -184,7 +184,7 @@ json scatter_chart(std::span<const Cloud> clouds, const Axis& x, const Axis& y,
                   {"filled", true},
                   {"clip", true},
                   {"opacity", crowded ? 0.35 : 0.7},
-                  {"size", crowded ? 14 : 36},
+                  {"size", crowded ? 14 : rows.size() > 50 ? 36 : 110},
                   {"tooltip", true}};
   spec["encoding"] = {{"x", parts::quantity("x", x)},
                       {"y", parts::quantity("y", y)},

@@ -19,6 +19,7 @@ namespace pacer {
 namespace {
 
 constexpr const char* kWindow = "pacer track: Esc or q ends, r draws a box";
+constexpr int kEscape = 27;
 
 bool is_set(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets it
@@ -42,6 +43,12 @@ bool window_opens() {
   int status = 1;
   return child > 0 && ::waitpid(child, &status, 0) == child && WIFEXITED(status) &&
          WEXITSTATUS(status) == 0;
+}
+
+std::optional<Box> select(const cv::Mat3b& bgr) {
+  const cv::Rect drawn = cv::selectROI(kWindow, bgr, false);
+  if (drawn.empty()) return std::nullopt;
+  return Box::of_pixels(drawn.x, drawn.y, drawn.width, drawn.height);
 }
 
 bool is_closed() { return cv::getWindowProperty(kWindow, cv::WND_PROP_VISIBLE) < 1.0; }
@@ -74,11 +81,11 @@ void follow(tracking::Tracker& tracker, const tracking::Picture& picture,
 void require_display() {
   const bool named = is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
   if (!named || !window_opens()) {
-    throw std::runtime_error(
-        std::string("a window needs a display, and ") +
-        (named ? "the one that DISPLAY or WAYLAND_DISPLAY names cannot be used"
-               : "neither DISPLAY nor WAYLAND_DISPLAY is set") +
-        ": run it on a desktop (or through ssh -X), or give --box x,y,w,h and --video FILE");
+    throw std::runtime_error(std::string("a window needs a display, and ") +
+                             (named ? "the one that DISPLAY or WAYLAND_DISPLAY names cannot be used"
+                                    : "neither DISPLAY nor WAYLAND_DISPLAY is set") +
+                             ": run it on a desktop (or through ssh -X), or give --box x,y,w,h "
+                             "(and, for a camera, --video FILE)");
   }
 }
 
@@ -86,33 +93,32 @@ std::optional<Box> draw_box(const cv::Mat& image) {
   require_display();
   tracking::Picture picture;
   tracking::to_picture(image, picture);
-  const cv::Rect drawn = cv::selectROI(kWindow, picture.bgr, false);
+  const std::optional<Box> box = select(picture.bgr);
   cv::destroyWindow(kWindow);
-  if (drawn.empty()) return std::nullopt;
-  return Box::of_pixels(drawn.x, drawn.y, drawn.width, drawn.height);
+  return box;
 }
 
 TrackingRun track_live(const tracking::TrackerKind& kind, dataset::PictureSource& pictures,
-                       std::optional<Box> box, const LiveOptions& options,
+                       std::optional<Box> box, std::uint64_t seed, const TrackWatch& watch,
                        const std::stop_token& stop) {
   require_display();
   TrackingRun run;
   run.tracker = kind.name;
-  const std::unique_ptr<tracking::Tracker> tracker = kind.make(options.seed);
+  const std::unique_ptr<tracking::Tracker> tracker = kind.make(seed);
   TrackerDrawing drawing(kind.name, false);
-  std::optional<TrackingFilm> film;
-  if (!options.video.empty()) film.emplace(options.video, options.rate_hz);
   PictureChunks chunks(pictures);
   cv::namedWindow(kWindow);
-  for (int key = 0; !stop.stop_requested() && key != 27 && key != 'q';) {
+  for (int key = 0; !stop.stop_requested() && key != kEscape && key != 'q';) {
     const std::span<const tracking::Picture> next = chunks.next(1);
     if (next.empty()) break;
     const tracking::Picture& picture = next.front();
     if (key == 'r') {
-      const cv::Rect drawn = cv::selectROI(kWindow, picture.bgr, false);
-      if (!drawn.empty()) box = Box::of_pixels(drawn.x, drawn.y, drawn.width, drawn.height);
+      if (const auto drawn = select(picture.bgr)) box = drawn;
     }
-    if (box || !run.tracks.empty()) {
+    if (!box && run.tracks.empty()) {
+      ++run.first;
+      cv::imshow(kWindow, picture.bgr);
+    } else {
       try {
         follow(*tracker, picture, std::exchange(box, std::nullopt), run);
       } catch (const std::exception& failure) {
@@ -120,20 +126,14 @@ TrackingRun track_live(const tracking::TrackerKind& kind, dataset::PictureSource
         break;
       }
       const std::size_t at = run.first + run.pictures++;
-      const Frame& drawn = drawing.draw(at, picture, run.tracks.back(), *tracker);
-      show(drawn);
-      if (film) film->write(drawn);
-    } else {
-      ++run.first;
-      cv::imshow(kWindow, picture.bgr);
+      show(drawing.draw(at, picture, run.tracks.back(), *tracker));
+      if (watch) watch(picture, run.tracks.back(), *tracker);
     }
     key = cv::waitKey(1) & 0xFF;
     if (is_closed()) break;
   }
   cv::destroyAllWindows();
-  if (film) film->close();
   run.sequence_error = chunks.error();
-  run.whole = !stop.stop_requested();
   return run;
 }
 

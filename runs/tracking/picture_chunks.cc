@@ -3,14 +3,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace pacer {
+namespace {
 
-void PictureChunks::skip(std::size_t count) try {
-  for (; count > 0 && error_.empty() && source_.next(image_); --count) ++read_;
-} catch (const std::runtime_error& failure) {
-  error_ = failure.what();
+/// How many of the sequence's pictures need not be read, since they are listed.
+std::size_t listed_before(const TrackingTarget& target) {
+  return std::min(target.first, target.sequence.pictures.size());
+}
+
+std::unique_ptr<dataset::PictureSource> read_from(const TrackingTarget& target) {
+  dataset::Sequence rest = target.sequence;
+  const auto first = rest.pictures.begin();
+  rest.pictures.erase(first, first + static_cast<std::ptrdiff_t>(listed_before(target)));
+  return dataset::read_pictures(rest);
+}
+
+}  // namespace
+
+PictureChunks::PictureChunks(const TrackingTarget& target)
+    : own_(read_from(target)), source_(*own_), read_(listed_before(target)) {
+  try {  // a video's pictures have to be decoded, to come past them
+    while (read_ < target.first && source_.next(image_)) ++read_;
+  } catch (const std::runtime_error& failure) {
+    error_ = failure.what();
+  }
 }
 
 std::span<const tracking::Picture> PictureChunks::next(std::size_t most) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "dataset/sequence.h"
 #include "learning/tracking/picture.h"
+#include "runs/tracking/tracking_target.h"
 
 namespace pacer {
 
@@ -16,12 +18,11 @@ namespace pacer {
 /// in memory.
 class PictureChunks {
  public:
-  /// `source` outlives it; its first picture is the sequence's `first`-th.
-  explicit PictureChunks(dataset::PictureSource& source, std::size_t first = 0)
-      : source_(source), read_(first) {}
-
-  /// Leaves out the next `count` pictures.
-  void skip(std::size_t count);
+  /// `source` outlives it.
+  explicit PictureChunks(dataset::PictureSource& source) : source_(source) {}
+  /// The pictures of the target's sequence, from the one that trackers start on. Throws like
+  /// dataset::read_pictures().
+  explicit PictureChunks(const TrackingTarget& target);
 
   /// The next pictures, in memory that the next call overwrites: at least one, at most `most`, no
   /// more than 128 MB of them; none at the end. All have the first one's size.
@@ -33,11 +34,12 @@ class PictureChunks {
  private:
   [[nodiscard]] bool read(tracking::Picture& picture);
 
+  std::unique_ptr<dataset::PictureSource> own_;
   dataset::PictureSource& source_;
   std::vector<tracking::Picture> chunk_;
   cv::Mat image_;
   cv::Size size_;
-  std::size_t read_;  // of the sequence, skipped ones included
+  std::size_t read_ = 0;  // of the sequence, those before the first included
   std::string error_;
 };
 

@@ -10,6 +10,11 @@
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "core/check.h"
+#include "core/output_file.h"
 
 namespace pacer {
 namespace {
@@ -64,6 +69,32 @@ std::vector<std::optional<Box>> read_results(const std::filesystem::path& file) 
     boxes.push_back(is_proper(box) ? std::optional(box) : std::nullopt);
   }
   return boxes;
+}
+
+ResultFiles::ResultFiles(std::filesystem::path out, bool several) : out_(std::move(out)) {
+  if (out_.empty()) return;
+  std::error_code error;
+  const bool there = std::filesystem::exists(out_, error);
+  folder_ = several || std::filesystem::is_directory(out_, error);
+  if (folder_ && there && !std::filesystem::is_directory(out_, error)) {
+    throw UsageError(out_.string() + ": is a file; several results want a folder");
+  }
+}
+
+std::filesystem::path ResultFiles::place(const std::string& tracker,
+                                         const std::string& target) const {
+  return folder_ ? out_ / tracker / (target + ".txt") : out_;
+}
+
+void ResultFiles::try_one(const std::string& tracker, const std::string& target) const {
+  if (!out_.empty()) const OutputFile tried(place(tracker, target));
+}
+
+void ResultFiles::write(const TrackingRun& run) const {
+  if (out_.empty() || run.tracks.empty()) return;
+  OutputFile file(place(run.tracker, run.target));
+  file.write(results_text(run.first, run.tracks));
+  file.keep();
 }
 
 }  // namespace pacer

@@ -10,6 +10,7 @@
 
 #include "core/box.h"
 #include "learning/tracking/tracker.h"
+#include "runs/tracking/tracking_run.h"
 
 namespace pacer {
 
@@ -21,5 +22,26 @@ namespace pacer {
 /// What results_text() (or OTB) wrote, with commas, tabs or blanks between numbers; none for a line
 /// that holds a NaN. Throws std::runtime_error naming the file, the line and what is wrong.
 [[nodiscard]] std::vector<std::optional<Box>> read_results(const std::filesystem::path& file);
+
+/// Where the results of runs go: one file, or a folder with TRACKER/TARGET.txt for each.
+class ResultFiles {
+ public:
+  /// One run's results go into the file `out` unless that is a folder, those of `several` into a
+  /// folder; nowhere where it is empty. Throws UsageError for several results and one file.
+  ResultFiles(std::filesystem::path out, bool several);
+
+  /// Whether the results of this tracker on this target could be written, tried before the work.
+  /// Throws std::runtime_error, naming the file, where not.
+  void try_one(const std::string& tracker, const std::string& target) const;
+  /// Writes them, whole or not at all; a run without a track leaves no file. Throws like try_one().
+  void write(const TrackingRun& run) const;
+
+ private:
+  [[nodiscard]] std::filesystem::path place(const std::string& tracker,
+                                            const std::string& target) const;
+
+  std::filesystem::path out_;
+  bool folder_ = false;
+};
 
 }  // namespace pacer

@@ -82,7 +82,9 @@ class TargetRun {
   }
 
   /// Nobody needs the pictures that follow.
-  [[nodiscard]] bool over() const { return truth_.empty() && !one_pass_.error().empty(); }
+  [[nodiscard]] bool over() const {
+    return !one_pass_.error().empty() && (truth_.empty() || one_pass_.tracks().empty());
+  }
 
   [[nodiscard]] TrackingRun result() const {
     TrackingRun run;
@@ -126,13 +128,7 @@ TrackingRun run_over(TargetRun& target, PictureChunks& chunks, std::size_t most,
 
 TrackingRun run_tracker(const tracking::TrackerKind& kind, const TrackingTarget& target,
                         const TrackingOptions& options, const std::stop_token& stop) {
-  dataset::Sequence rest = target.sequence;
-  const std::size_t listed = std::min(target.first, rest.pictures.size());
-  rest.pictures.erase(rest.pictures.begin(),
-                      rest.pictures.begin() + static_cast<std::ptrdiff_t>(listed));
-  const std::unique_ptr<dataset::PictureSource> source = dataset::read_pictures(rest);
-  PictureChunks chunks(*source, listed);
-  chunks.skip(target.first - listed);  // a video's have to be decoded
+  PictureChunks chunks(target);
   TargetRun all(kind, target.first, target.box, target.truth, options);
   TrackingRun run = run_over(all, chunks, kChunk, stop);
   run.tracker = kind.name;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace pacer {
@@ -24,8 +25,8 @@ const Frame& TrackerDrawing::draw(std::size_t at, const tracking::Picture& pictu
   }
   const bool lost = track.confidence <= 0.0;
   const std::string state = lost ? "lost" : fmt::format("confidence {:.2f}", track.confidence);
-  const std::array<std::optional<Box>, 2> boxes = {truth,
-                                                   lost ? std::nullopt : std::optional(track.box)};
+  std::vector<std::optional<Box>> boxes = {lost ? std::nullopt : std::optional(track.box)};
+  if (with_truth_) boxes.push_back(truth);
   view_->draw(picture.bgr, fmt::format("picture {}   {}", at + 1, state), boxes, marks_, drawn_);
   return drawn_;
 }
@@ -49,10 +50,25 @@ void TrackingFilm::close() {
   file_.keep();
 }
 
+TrackerFilm::TrackerFilm(const std::filesystem::path& file, int rate_hz, std::string tracker,
+                         std::size_t first, std::vector<std::optional<Box>> truth)
+    : film_(file, rate_hz),
+      drawing_(std::move(tracker), !truth.empty()),
+      at_(first),
+      truth_(std::move(truth)) {}
+
+TrackWatch TrackerFilm::watch() {
+  return [this](const tracking::Picture& picture, const tracking::Track& track,
+                const tracking::Tracker& tracker) {
+    const std::optional<Box> truth = at_ < truth_.size() ? truth_[at_] : std::nullopt;
+    film_.write(drawing_.draw(at_++, picture, track, tracker, truth));
+  };
+}
+
 int film_rate(const dataset::Sequence& sequence) {
   constexpr double kUsual = 25.0;
   double rate = kUsual;
-  if (sequence.layout == dataset::SequenceLayout::kVideo) {
+  if (sequence.pictures.empty()) {
     rate = dataset::VideoDecoder(sequence.path).rate_hz();
     if (!(rate >= 1.0)) rate = kUsual;  // the file does not say
   }

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/output_file.h"
 #include "dataset/sequence.h"
 #include "dataset/video.h"
 #include "learning/tracking/tracker.h"
+#include "runs/tracking/run_tracker.h"
 #include "runs/tracking/tracking_view.h"
 
 namespace pacer {
@@ -51,6 +53,26 @@ class TrackingFilm {
   int rate_hz_;
   int quality_;
   std::optional<dataset::VideoEncoder> encoder_;
+};
+
+/// Films one tracker at work.
+class TrackerFilm {
+ public:
+  /// `first` is the picture that the tracker starts on; `truth`, empty where there is none, is the
+  /// sequence's. Tries `file` at once, like OutputFile.
+  TrackerFilm(const std::filesystem::path& file, int rate_hz, std::string tracker,
+              std::size_t first = 0, std::vector<std::optional<Box>> truth = {});
+
+  /// Films what it is shown; the film outlives it.
+  [[nodiscard]] TrackWatch watch();
+  /// Like TrackingFilm::close().
+  void close() { film_.close(); }
+
+ private:
+  TrackingFilm film_;
+  TrackerDrawing drawing_;
+  std::size_t at_;
+  std::vector<std::optional<Box>> truth_;
 };
 
 /// The rate that a film of `sequence` is shown at: its own where it is a video, else 25.

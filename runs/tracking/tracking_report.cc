@@ -71,18 +71,20 @@ void add_story(Content& content, const TrackingComparison& comparison, std::size
     content.note(fmt::format("No pictures: {}", failure.what()), report::Verdict::kShort);
     return;
   }
+  if (!story.error.empty()) {
+    content.note(fmt::format("The pictures end early: {}", story.error), report::Verdict::kShort);
+  }
+  if (story.pictures.empty()) return;
   content.paragraph(legend(comparison));
   std::vector<report::Figure> figures;
   for (const KeyPicture& picture : story.pictures) {
     figures.push_back({.bytes = picture.jpg, .caption = picture.about});
   }
   content.gallery(figures);
-  if (story.mp4.empty()) return;
   Content film;
   film.video({.bytes = {reinterpret_cast<const std::uint8_t*>(story.mp4.data()), story.mp4.size()},
               .caption = {},
-              .poster = story.pictures.empty() ? std::span<const std::uint8_t>()
-                                               : std::span(story.pictures.front().jpg)});
+              .poster = story.pictures.front().jpg});
   content.details("Picture by picture", film);
 }
 

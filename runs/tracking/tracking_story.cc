@@ -20,17 +20,16 @@
 namespace pacer {
 namespace {
 
-/// Calls `see(at, picture)` for every picture that trackers saw, until it returns false.
+/// Calls `see(at, picture)` for every picture that trackers saw, until it returns false. Why they
+/// end early is returned; empty: they do not.
 template <class See>
-void see_again(const TrackingComparison& comparison, std::size_t target, const See& see) {
-  const dataset::Sequence& sequence = comparison.targets.at(target).sequence;
-  const std::unique_ptr<dataset::PictureSource> source = dataset::read_pictures(sequence);
-  PictureChunks chunks(*source);
+std::string see_again(const TrackingComparison& comparison, std::size_t target, const See& see) {
+  PictureChunks chunks(comparison.targets.at(target));
   std::size_t at = comparison.targets[target].first;
-  chunks.skip(at);
   for (auto pictures = chunks.next(1); !pictures.empty(); pictures = chunks.next(1)) {
-    if (!see(at++, pictures.front())) return;
+    if (!see(at++, pictures.front())) break;
   }
+  return chunks.error();
 }
 
 /// The truth's box, then each tracker's, in the sequence's `at`-th picture.
@@ -118,10 +117,7 @@ std::vector<KeyPicture> key_pictures(const TrackingComparison& comparison, std::
   }
   std::vector<KeyPicture> told;
   for (const auto& [at, about] : chosen) {
-    told.push_back(
-        {.at = at,
-         .about = fmt::format("picture {}{}{}", at + 1, about.empty() ? "" : ": ", about),
-         .jpg = {}});
+    told.push_back({.at = at, .about = about, .jpg = {}});
   }
   return told;
 }
@@ -130,7 +126,8 @@ TrackingStory tell(const TrackingComparison& comparison, std::size_t target) {
   constexpr double kSide = 440.0;      // pixels, of pictures and film
   constexpr std::size_t kLong = 1500;  // pictures: of longer films some are left out
   constexpr int kQuality = 29;
-  TrackingStory story{.pictures = key_pictures(comparison, target), .mp4 = {}};
+  TrackingStory story;
+  story.pictures = key_pictures(comparison, target);
   const std::size_t stride = 1 + pictures_of(comparison, target) / kLong;
   const TemporaryFile file(".mp4");
   TrackingFilm film(file.path(), film_rate(comparison.targets[target].sequence), kQuality);
@@ -138,22 +135,23 @@ TrackingStory tell(const TrackingComparison& comparison, std::size_t target) {
   Frame drawn;
   std::size_t count = 0;
   auto key = story.pictures.begin();
-  see_again(comparison, target, [&](std::size_t at, const tracking::Picture& picture) {
-    if (!view) {
-      const ImageSize size{picture.bgr.cols, picture.bgr.rows};
-      view.emplace(size, styles_of(comparison),
-                   TrackingView::Layout{.scale = kSide / std::max(size.width, size.height),
-                                        .legend = false});
-    }
-    const bool filmed = count++ % stride == 0;
-    const bool told = key != story.pictures.end() && key->at == at;
-    if (!filmed && !told) return true;
-    view->draw(picture.bgr, told ? key->about : fmt::format("picture {}", at + 1),
-               boxes_at(comparison, target, at), Annotations{}, drawn);
-    if (filmed) film.write(drawn);
-    if (told) (key++)->jpg = report::encode_jpeg(drawn);
-    return true;
-  });
+  story.error =
+      see_again(comparison, target, [&](std::size_t at, const tracking::Picture& picture) {
+        if (!view) {
+          const ImageSize size{picture.bgr.cols, picture.bgr.rows};
+          view.emplace(size, styles_of(comparison),
+                       TrackingView::Layout{.scale = kSide / std::max(size.width, size.height),
+                                            .legend = false});
+        }
+        const bool filmed = count++ % stride == 0;
+        const bool told = key != story.pictures.end() && key->at == at;
+        if (!filmed && !told) return true;
+        view->draw(picture.bgr, fmt::format("picture {}", at + 1), boxes_at(comparison, target, at),
+                   Annotations{}, drawn);
+        if (filmed) film.write(drawn);
+        if (told) (key++)->jpg = report::encode_jpeg(drawn);
+        return true;
+      });
   film.close();
   std::erase_if(story.pictures, [](const KeyPicture& one) { return one.jpg.empty(); });
   if (count > 0) story.mp4 = file.bytes();

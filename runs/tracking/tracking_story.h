@@ -20,14 +20,15 @@ namespace pacer {
 /// One picture of a sequence with every tracker's box.
 struct KeyPicture {
   std::size_t at = 0;  ///< of the sequence
-  std::string about;   ///< e.g. "picture 213: LK and LP-FLOCK lose it"
+  std::string about;   ///< e.g. "lost by LK, LP-FLOCK"; empty: one between
   std::vector<std::uint8_t> jpg;
 };
 
 /// A target's sequence, told in pictures.
 struct TrackingStory {
   std::vector<KeyPicture> pictures;
-  std::string mp4;  ///< the whole of it, small; empty where nothing could be read
+  std::string mp4;    ///< the whole of it, small; empty where nothing could be read
+  std::string error;  ///< why it ends early; empty: it does not
 };
 
 /// Which pictures tell a target's story, and why: the first, those in which trackers lose it
@@ -35,7 +36,7 @@ struct TrackingStory {
 [[nodiscard]] std::vector<KeyPicture> key_pictures(const TrackingComparison& comparison,
                                                    std::size_t target, std::size_t most = 9);
 
-/// Reads the target's pictures once more and draws them.
+/// Reads the target's pictures once more and draws them, as far as they can be read.
 [[nodiscard]] TrackingStory tell(const TrackingComparison& comparison, std::size_t target);
 
 /// Films a target with every tracker's box. Throws std::runtime_error when `file` cannot be written

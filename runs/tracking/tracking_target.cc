@@ -24,6 +24,7 @@ std::vector<TrackingTarget> targets_of(const std::vector<dataset::Sequence>& seq
       targets.push_back(std::move(target));
       continue;
     }
+    const std::size_t before = targets.size();
     for (const dataset::TargetTruth& truth : sequence.targets) {
       const auto start = std::ranges::find_if(
           truth.boxes, [](const std::optional<Box>& one) { return one && is_proper(*one); });
@@ -35,7 +36,7 @@ std::vector<TrackingTarget> targets_of(const std::vector<dataset::Sequence>& seq
                          .first = static_cast<std::size_t>(start - truth.boxes.begin()),
                          .box = **start});
     }
-    if (targets.empty() || targets.back().sequence.path != sequence.path) {
+    if (targets.size() == before) {
       throw UsageError(sequence.path.string() +
                        ": nothing says where the target is; give --box x,y,w,h, or --draw it");
     }

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <type_traits>
 
 #include "learning/tracking/tracker.h"
 
@@ -50,6 +52,24 @@ class Walking final : public Still {
     return {.box = box_, .confidence = 0.5};
   }
   double step_;
+};
+
+/// Follows the bright pixels.
+class Bright final : public Still {
+  [[nodiscard]] tracking::Track follow(const tracking::Picture& picture) override {
+    const cv::Mat bright = picture.grey > 150;
+    if (cv::countNonZero(bright) == 0) return {.box = box_, .confidence = 0.0};
+    const cv::Moments moments = cv::moments(bright, true);
+    box_.x = moments.m10 / moments.m00;
+    box_.y = moments.m01 / moments.m00;
+    return {.box = box_, .confidence = 1.0};
+  }
+  void annotate(Annotations& annotations) const override {
+    annotations.points.push_back(
+        {.at = {static_cast<float>(box_.x), static_cast<float>(box_.y)}, .radius = 5.0F});
+    annotations.patches.push_back(
+        {.size = {2, 2}, .grey = {0, 255, 255, 0}, .tone = Tone::kMatched});
+  }
 };
 
 template <class T>
