@@ -10,6 +10,7 @@
 #include "apps/terminal_progress.h"
 #include "core/check.h"
 #include "core/version.h"
+#include "learning/tracking/peers/peers.h"
 #include "runs/tracking/choose_trackers.h"
 #include "runs/tracking/live_view.h"
 #include "runs/tracking/results_file.h"
@@ -22,14 +23,9 @@ namespace {
 
 using tracking::TrackerKind;
 
-const std::vector<TrackerKind>& peers() {
-  static const std::vector<TrackerKind> none;
-  return none;
-}
-
 std::vector<TrackerKind> every_tracker() {
   std::vector<TrackerKind> all = tracking::trackers();
-  all.insert(all.end(), peers().begin(), peers().end());
+  all.insert(all.end(), tracking::peers().begin(), tracking::peers().end());
   return all;
 }
 
@@ -143,7 +139,7 @@ void TrackCommand::run_recorded(const Kinds& kinds, const std::optional<Box>& ty
   control.progress = progress.callback();
   TrackingComparison comparison = compare_trackers(
       kinds, found, options, control, [&results](const ScoredRun& one) { results.write(one.run); });
-  for (const TrackerKind& peer : peers()) comparison.peers.push_back(peer.name);
+  for (const TrackerKind& peer : tracking::peers()) comparison.peers.push_back(peer.name);
   progress.finish();
   if (film) film->close();
   if (!single && !video.empty()) film_trackers(comparison, 0, video, stop);
