@@ -28,6 +28,7 @@ struct Axis {
 struct ChartStyle {
   int height_px = 240;
   std::string title = {};
+  int legend_columns = 0;  ///< 0: all names in one row; set it where that would be too long
 };
 
 /// A named line. `low` and `high`, if given, draw a band around it; all are as long as `x`.

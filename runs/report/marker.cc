@@ -116,7 +116,7 @@ void Marker::outline(const Box& box, const cv::Scalar& colour, bool dashed) {
 }
 
 void Marker::dashes(cv::Point from, cv::Point to, const cv::Scalar& colour, int width) {
-  constexpr double kPeriod = 9 << kShift;
+  constexpr double kPeriod = 12 << kShift;
   const cv::Point2d along = to - from;
   const double length = std::hypot(along.x, along.y);
   const int count = std::max(1, static_cast<int>(std::lround(length / kPeriod)));
@@ -125,7 +125,7 @@ void Marker::dashes(cv::Point from, cv::Point to, const cv::Scalar& colour, int 
       const cv::Point2d here = cv::Point2d(from) + along * ((i + share) / count);
       return cv::Point(cvRound(here.x), cvRound(here.y));
     };
-    cv::line(image_, at(0.0), at(0.55), colour, width, cv::LINE_AA, kShift);
+    cv::line(image_, at(0.0), at(0.5), colour, width, cv::LINE_AA, kShift);
   }
 }
 

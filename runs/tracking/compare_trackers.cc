@@ -190,6 +190,10 @@ std::vector<TrackerSummary> summarise(const TrackingComparison& comparison) {
   return summaries;
 }
 
+report::Cell speed_cell(double fps) {
+  return std::isnan(fps) ? report::Cell(fps) : report::Cell(std::llround(fps));
+}
+
 report::Table summary_table(const TrackingComparison& comparison) {
   std::vector<TrackerSummary> summaries = summarise(comparison);
   std::ranges::stable_sort(summaries, std::greater{}, [](const TrackerSummary& one) {
@@ -205,14 +209,14 @@ report::Table summary_table(const TrackingComparison& comparison) {
       {.heading = "precision", .unit = "at 20 px", .decimals = 3, .better = kHigher},
       {.heading = "held", .unit = "% of frames", .decimals = 1, .scale = 100.0, .better = kHigher},
       {.heading = "failures", .unit = "a sequence", .decimals = 2, .better = kLower},
-      {.heading = "speed", .unit = "frames/s", .decimals = 0, .better = kHigher}};
+      {.heading = "speed", .unit = "frames/s", .better = kHigher}};
   if (robustness) {
     table.columns.push_back({.heading = "TRE", .unit = "AUC", .decimals = 3, .better = kHigher});
     table.columns.push_back({.heading = "SRE", .unit = "AUC", .decimals = 3, .better = kHigher});
   }
   for (const TrackerSummary& one : summaries) {
-    report::Row row{
-        .cells = {one.name, one.success, one.precision, one.held, one.failures, one.fps}};
+    report::Row row{.cells = {one.name, one.success, one.precision, one.held, one.failures,
+                              speed_cell(one.fps)}};
     if (robustness) row.cells.insert(row.cells.end(), {one.temporal, one.spatial});
     table.rows.push_back(std::move(row));
   }

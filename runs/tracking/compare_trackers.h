@@ -61,6 +61,9 @@ struct TrackerSummary {
 /// The summaries, the best success first.
 [[nodiscard]] report::Table summary_table(const TrackingComparison& comparison);
 
+/// A speed in a table: whole frames a second.
+[[nodiscard]] report::Cell speed_cell(double fps);
+
 /// {TRACKER: {TARGET: {"success", "precision", "fps", "frames_held", "lost_at", "failures",
 /// "frames", "scored", "error"}}}; null where something was not measured.
 [[nodiscard]] nlohmann::ordered_json to_json(const TrackingComparison& comparison);

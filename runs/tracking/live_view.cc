@@ -106,6 +106,7 @@ TrackingRun track_live(const tracking::TrackerKind& kind, dataset::PictureSource
   run.tracker = kind.name;
   const std::unique_ptr<tracking::Tracker> tracker = kind.make(seed);
   TrackerDrawing drawing(kind.name, false);
+  Annotations marks;
   PictureChunks chunks(pictures);
   cv::namedWindow(kWindow);
   for (int key = 0; !stop.stop_requested() && key != kEscape && key != 'q';) {
@@ -126,7 +127,9 @@ TrackingRun track_live(const tracking::TrackerKind& kind, dataset::PictureSource
         break;
       }
       const std::size_t at = run.first + run.pictures++;
-      show(drawing.draw(at, picture, run.tracks.back(), *tracker));
+      marks.clear();
+      tracker->annotate(marks);
+      show(drawing.draw(at, picture.bgr, run.tracks.back(), marks));
       if (watch) watch(picture, run.tracks.back(), *tracker);
     }
     key = cv::waitKey(1) & 0xFF;

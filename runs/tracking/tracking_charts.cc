@@ -18,6 +18,7 @@ using nlohmann::json;
 using report::Palette;
 using report::Series;
 
+constexpr int kColumns = 7;  // names in a row of a legend across the page
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 bool is_peer(const TrackingComparison& comparison, const std::string& name) {
@@ -87,7 +88,7 @@ double error_limit(const TrackingTarget& target) {
 json success_plot(const TrackingComparison& comparison) {
   return ranked_plot(
       comparison, 0.05, {.title = "overlap threshold", .limits = Range{0.0, 1.0}},
-      {.height_px = 340, .title = "Success [area under the line]"},
+      {.height_px = 340, .title = "Success [area under the line]", .legend_columns = 3},
       [](const TrackerSummary& one) { return one.success; },
       [](const TrackerSummary& one) { return one.success_plot; });
 }
@@ -96,7 +97,7 @@ json precision_plot(const TrackingComparison& comparison) {
   return ranked_plot(
       comparison, 1.0,
       {.title = "centre error threshold", .unit = "px", .limits = Range{0.0, 50.0}},
-      {.height_px = 340, .title = "Precision [at 20 px]"},
+      {.height_px = 340, .title = "Precision [at 20 px]", .legend_columns = 3},
       [](const TrackerSummary& one) { return one.precision; },
       [](const TrackerSummary& one) { return one.precision_plot; });
 }
@@ -110,7 +111,7 @@ json speed_plot(const TrackingComparison& comparison) {
   return report::scatter_chart(
       clouds, {.title = "speed", .unit = "frames a second, logarithmic", .log = true},
       {.title = "success", .unit = "AUC", .limits = Range{0.0, 1.0}}, Palette(comparison.trackers),
-      {.height_px = 300});
+      {.height_px = 300, .legend_columns = kColumns});
 }
 
 json success_map(const TrackingComparison& comparison) {
@@ -140,7 +141,7 @@ json error_plot(const TrackingComparison& comparison, std::size_t target) {
   }
   return report::line_chart(series, {.title = "picture"},
                             {.title = "centre error", .unit = "px", .limits = Range{0.0, limit}},
-                            Palette(comparison.trackers));
+                            Palette(comparison.trackers), {.legend_columns = kColumns});
 }
 
 report::Table speed_table(const TrackingComparison& comparison) {
@@ -150,14 +151,13 @@ report::Table speed_table(const TrackingComparison& comparison) {
     table.columns.push_back(
         {.heading = target.name,
          .unit = fmt::format("{:.0f} x {:.0f} px", target.box.width, target.box.height),
-         .decimals = 0,
          .better = report::Better::kHigher});
   }
   for (std::size_t tracker = 0; tracker < comparison.trackers.size(); ++tracker) {
     report::Row row{.cells = {comparison.trackers[tracker]}};
     for (std::size_t target = 0; target < comparison.targets.size(); ++target) {
       const ScoredRun* const one = comparison.find(target, tracker);
-      row.cells.emplace_back(one == nullptr ? kNan : one->run.fps());
+      row.cells.push_back(speed_cell(one == nullptr ? kNan : one->run.fps()));
     }
     table.rows.push_back(std::move(row));
   }
@@ -172,7 +172,7 @@ report::Table target_table(const TrackingComparison& comparison, std::size_t tar
                    {.heading = "precision", .unit = "at 20 px", .decimals = 3, .better = kHigher},
                    {.heading = "held", .unit = "frames", .better = kHigher},
                    {.heading = "failures", .unit = "with resets", .better = kLower},
-                   {.heading = "speed", .unit = "frames/s", .decimals = 0, .better = kHigher},
+                   {.heading = "speed", .unit = "frames/s", .better = kHigher},
                    {.heading = "note"}};
   bool noted = false;
   for (std::size_t tracker = 0; tracker < comparison.trackers.size(); ++tracker) {
@@ -183,7 +183,7 @@ report::Table target_table(const TrackingComparison& comparison, std::size_t tar
     report::Row row{.cells = {run.tracker, score.success, score.precision}};
     row.cells.push_back(known ? report::Cell(score.frames_held) : report::Cell(kNan));
     row.cells.push_back(known ? report::Cell(run.failures.size()) : report::Cell(kNan));
-    row.cells.emplace_back(run.fps());
+    row.cells.push_back(speed_cell(run.fps()));
     std::string note = run.tracker_error;
     if (note.empty()) note = run.sequence_error;
     if (note.empty() && !run.whole) note = "interrupted";

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/annotation.h"
 #include "core/output_file.h"
 #include "dataset/sequence.h"
 #include "dataset/video.h"
@@ -24,16 +26,17 @@ class TrackerDrawing {
       : tracker_(std::move(tracker)), with_truth_(with_truth) {}
 
   /// The sequence's `at`-th picture, drawn; valid until the next call. A track of confidence 0 has
-  /// no box.
-  [[nodiscard]] const Frame& draw(std::size_t at, const tracking::Picture& picture,
-                                  const tracking::Track& track, const tracking::Tracker& tracker,
-                                  const std::optional<Box>& truth = {});
+  /// no box. Drawings grow by a strip of patches once there are any.
+  [[nodiscard]] const Frame& draw(std::size_t at, const cv::Mat& bgr, const tracking::Track& track,
+                                  const Annotations& marks, const std::optional<Box>& truth = {});
+  /// Leaves room for patches from the next drawing on.
+  void expect_patches();
 
  private:
   std::string tracker_;
   bool with_truth_;
+  bool patches_ = false;
   std::optional<TrackingView> view_;
-  Annotations marks_;
   Frame drawn_;
 };
 
@@ -66,13 +69,25 @@ class TrackerFilm {
   /// Films what it is shown; the film outlives it.
   [[nodiscard]] TrackWatch watch();
   /// Like TrackingFilm::close().
-  void close() { film_.close(); }
+  void close();
 
  private:
+  struct Shot {
+    cv::Mat bgr;
+    tracking::Track track;
+    Annotations marks;
+  };
+
+  void write(const Shot& shot);
+
   TrackingFilm film_;
   TrackerDrawing drawing_;
   std::size_t at_;
   std::vector<std::optional<Box>> truth_;
+  // A film has one size, and appearances may be known only once a tracker has followed.
+  bool seen_ = false;
+  std::optional<Shot> start_;
+  Shot shot_;
 };
 
 /// The rate that a film of `sequence` is shown at: its own where it is a video, else 25.

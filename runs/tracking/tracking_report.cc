@@ -53,13 +53,12 @@ void add_tiles(Content& content, const TrackingComparison& comparison) {
 
 /// Which colour is whose, above pictures.
 Text legend(const TrackingComparison& comparison) {
-  Text text;
+  Text text = "Boxes: truth in white";
   for (const BoxStyle& style : styles_of(comparison)) {
-    if (!text.empty()) text += Text("   ");
-    text += Text::swatch(style.name == truth_style().name ? "#AAB2BD" : style.colour);
-    text += Text(style.name == truth_style().name ? "truth (white)" : style.name);
-    if (style.dashed) text += Text::muted(" dashed");
+    if (style.name == truth_style().name) continue;
+    text += Text(", ") + Text::swatch(style.colour) + Text(style.name);
   }
+  if (!comparison.peers.empty()) text += Text("; other people's trackers are dashed");
   return text;
 }
 
@@ -113,12 +112,12 @@ void report_tracking(report::Page& page, const TrackingComparison& comparison) {
   ranking.paragraph(fmt::format(
       "Success is the area under OTB's success plot (21 thresholds of overlap), precision the "
       "share of pictures whose centre is within 20 px of the true one, both of one pass from the "
-      "first truth on, means over sequences. Held: pictures before the first {} on end in which "
-      "the centre lies outside the true box. Failures: how often the overlap falls to nothing "
+      "first truth on, means over sequences. Held: pictures until the centre lies outside the "
+      "true box for most of the next {}. Failures: how often the overlap falls to nothing "
       "when the tracker is started again five pictures after each time, as VOT does. Speed: the "
       "tracker alone, from picture in memory to box, on one core; the median over sequences. "
       "Pictures without truth count nowhere.",
-      TrackingScore::kLossFrames));
+      TrackingScore::kLossWindow));
   if (scored) {
     const std::vector<report::Chart> plots = {
         {.spec = tracking_charts::success_plot(comparison), .caption = {}},

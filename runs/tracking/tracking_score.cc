@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs/tracking/tracking_score.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -24,33 +25,24 @@ double share(const std::vector<double>& values, std::size_t scored, const Passes
   return scored == 0 ? kNan : static_cast<double>(count) / static_cast<double>(scored);
 }
 
-/// Watches for the first stretch without the target.
-class Hold {
- public:
-  void see(std::size_t picture, bool held) {
-    if (lost_) return;
-    if (held) {
-      run_ = 0;
-    } else if (run_++ == 0) {
-      since_ = picture;
-      before_ = seen_;
-    }
-    ++seen_;
-    lost_ = run_ == TrackingScore::kLossFrames;
-  }
-  void tell(TrackingScore& score) const {
-    const bool lost = run_ > 0;  // a stretch that the end cut short is one, too
-    score.frames_held = lost ? before_ : seen_;
-    if (lost) score.lost_at = since_;
-  }
-
- private:
-  std::size_t seen_ = 0;    // pictures with truth
-  std::size_t run_ = 0;     // of them, the last ones not held
-  std::size_t since_ = 0;   // where that stretch began
-  std::size_t before_ = 0;  // pictures with truth before it
-  bool lost_ = false;
+/// Whether the target is held in a picture of the run.
+struct Sight {
+  std::size_t picture;
+  bool held;
 };
+
+void tell_loss(std::span<const Sight> sights, TrackingScore& score) {
+  score.frames_held = sights.size();
+  for (std::size_t i = 0; i < sights.size(); ++i) {
+    if (sights[i].held) continue;
+    const auto ahead = sights.subspan(i, std::min(TrackingScore::kLossWindow, sights.size() - i));
+    const auto held = static_cast<std::size_t>(std::ranges::count(ahead, true, &Sight::held));
+    if (2 * held >= ahead.size()) continue;
+    score.frames_held = i;
+    score.lost_at = sights[i].picture;
+    return;
+  }
+}
 
 }  // namespace
 
@@ -58,7 +50,7 @@ TrackingScore score_tracks(std::span<const tracking::Track> tracks, Truth truth)
   TrackingScore score;
   score.overlap.assign(truth.size(), kNan);
   score.centre_error.assign(truth.size(), kNan);
-  Hold hold;
+  std::vector<Sight> sights;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     if (!truth[i] || !is_proper(*truth[i])) continue;
     ++score.scored;
@@ -67,9 +59,9 @@ TrackingScore score_tracks(std::span<const tracking::Track> tracks, Truth truth)
     score.overlap[i] = overlap(box, *truth[i]);
     score.centre_error[i] =
         tracked ? centre_distance(box, *truth[i]) : std::numeric_limits<double>::infinity();
-    hold.see(i, tracked && is_in(box, *truth[i]));
+    sights.push_back({.picture = i, .held = tracked && is_in(box, *truth[i])});
   }
-  hold.tell(score);
+  tell_loss(sights, score);
 
   for (std::size_t i = 0; i < score.success_plot.size(); ++i) {
     const double threshold = static_cast<double>(i) / 20.0;

@@ -18,10 +18,9 @@ using Truth = std::span<const std::optional<Box>>;
 
 /// How well one run kept to the truth. Everything but the counts is NaN where nothing is annotated.
 struct TrackingScore {
-  static constexpr std::size_t kOverlaps = 21;   ///< thresholds 0, 0.05 ... 1
-  static constexpr std::size_t kDistances = 51;  ///< thresholds 0, 1 ... 50 px
-  /// A target is lost when it was not held for as long: a second of film.
-  static constexpr std::size_t kLossFrames = 25;
+  static constexpr std::size_t kOverlaps = 21;    ///< thresholds 0, 0.05 ... 1
+  static constexpr std::size_t kDistances = 51;   ///< thresholds 0, 1 ... 50 px
+  static constexpr std::size_t kLossWindow = 25;  ///< pictures with truth: a second of film
 
   std::size_t scored = 0;  ///< pictures with truth, the first one included, as OTB counts
   /// OTB's success plot: the share of pictures whose overlap with the truth exceeds each threshold.
@@ -30,11 +29,12 @@ struct TrackingScore {
   std::array<double, kDistances> precision_plot{};
   double success = 0.0;    ///< OTB's AUC: the mean of the success plot
   double precision = 0.0;  ///< the precision plot at 20 px
-  /// Pictures with truth before the loss; `scored` where it never is. The target is held where the
-  /// track's centre lies in the true box, and lost at the first picture of the first stretch of
-  /// kLossFrames pictures with truth, or of fewer up to the last one, in none of which it is held:
-  /// a tracker that is off for a moment has not lost it, and one that the target runs into again
-  /// later has. Overlap would be too kind: a box stuck beside a large target still overlaps it.
+  /// Pictures with truth before the loss; `scored` where there is none. The target is held where
+  /// the track's centre lies in the true box, and lost at the first picture in which it is not
+  /// held, nor in half of the kLossWindow pictures with truth that begin there (fewer at the end):
+  /// a tracker that is off for a moment has not lost it, and one that a shaken target runs into now
+  /// and then, or again later, has. Overlap would be too kind: a box stuck beside a large target
+  /// overlaps it.
   std::size_t frames_held = 0;
   std::optional<std::size_t> lost_at;  ///< that picture, counted from the run's first
 

@@ -24,9 +24,9 @@ constexpr double kLetters = 10.0;
 
 /// Pixels that a name of the legend takes, swatch included.
 int width_of(const std::string& name) {
-  constexpr int kPerCharacter = 9;
+  constexpr int kPerCharacter = 10;
   return kSwatch + 6 + kPerCharacter * static_cast<int>(std::min<std::size_t>(name.size(), 40)) +
-         12;
+         16;
 }
 
 }  // namespace

@@ -87,16 +87,22 @@ TEST(TrackingScore, ATrackThatIsNoBoxIsLost) {
 
 TEST(TrackingScore, AMomentOffTheTargetIsNoLoss) {
   std::vector<bool> held(100, true);
-  for (std::size_t i = 40; i < 64; ++i) held[i] = false;
+  for (std::size_t i = 40; i < 52; ++i) held[i] = false;  // 12 of 25
   EXPECT_EQ(score_of(held).frames_held, 100U);
   EXPECT_FALSE(score_of(held).lost_at.has_value());
 }
 
 TEST(TrackingScore, ALostTargetThatIsMetAgainIsLostAllTheSame) {
   std::vector<bool> held(100, true);
-  for (std::size_t i = 40; i < 65; ++i) held[i] = false;
+  for (std::size_t i = 40; i < 53; ++i) held[i] = false;  // 13 of 25
   EXPECT_EQ(score_of(held).frames_held, 40U);
   EXPECT_EQ(score_of(held).lost_at, 40U);
+}
+
+TEST(TrackingScore, ATargetThatIsMetNowAndThenIsLost) {
+  std::vector<bool> held(100, true);
+  for (std::size_t i = 30; i < 100; ++i) held[i] = i % 3 == 0;
+  EXPECT_EQ(score_of(held).lost_at, 31U) << "the first in which it is not held";
 }
 
 TEST(TrackingScore, AStretchThatTheEndCutsShortIsALoss) {
