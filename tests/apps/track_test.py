@@ -41,9 +41,9 @@ def blotches(rng, width, height, low, high):
 
 
 def place_of(frame):
-    """Where the patch's top-left pixel is, counted from 0: to and fro, and slowly down."""
-    swing = frame % 60
-    return 20 + (swing if swing < 30 else 60 - swing) * 2, 30 + frame % 40
+    """Where the patch's top-left pixel is, counted from 0: to and fro, up and down."""
+    across, down = frame % 60, frame % 80
+    return 20 + 2 * min(across, 60 - across), 30 + min(down, 80 - down)
 
 
 def write_sequence(folder, frames):
