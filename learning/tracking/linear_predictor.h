@@ -7,45 +7,15 @@
 #include <vector>
 
 #include "core/random.h"
+#include "learning/tracking/config.h"
+#include "learning/tracking/pixel_set.h"
 
 namespace pacer::tracking {
 
-/// How linear predictors are learnt; the defaults are Table 4.2's.
-struct PredictorConfig {
-  int support_pixels = 150;      ///< k, intensities that a predictor looks at
-  int samples = 100;             ///< N, synthetic displacements it learns from; may be fewer than k
-  double support_range = 20.0;   ///< r_sp, pixels; the support lies in a disc of this radius
-  double training_range = 30.0;  ///< r_tr, pixels; displacements are drawn from a disc
-  double ridge = 1e-3;           ///< added to the Gram matrix, relative to its mean diagonal
-
-  /// Throws std::invalid_argument, naming the field.
-  void validate() const;
-
-  template <class Visitor>
-  void fields(Visitor&& visit) {
-    visit("support_pixels", support_pixels);
-    visit("samples", samples);
-    visit("support_range", support_range);
-    visit("training_range", training_range);
-    visit("ridge", ridge);
-  }
-};
-
-/// Pixels at whole offsets from a reference point, padded to whole vectors; the padding is (0, 0).
-struct SupportSet {
-  std::vector<std::int32_t> dx, dy;  ///< pixels right and down
-  int count = 0;                     ///< k
-  int reach = 0;                     ///< no offset is longer, either way
-
-  /// Collects the intensities around `at`, l(S o x), into `values`, as long as `dx`. A pixel
-  /// outside the image has the value of the nearest one inside.
-  void observe(const cv::Mat1b& image, cv::Point at, std::uint8_t* values) const;
-};
-
 /// Predicts a displacement from intensity differences, dx = P (l0 - l) (3.6). A plain value.
 struct LinearPredictor {
-  SupportSet support;
-  std::vector<float> projection;  ///< P: 2 x k, row by row, each padded as the support is
+  PixelSet support;               ///< S
+  std::vector<float> projection;  ///< P: 2 x k, row by row, each padded with zeros as S is
   Eigen::Vector2f at_rest;        ///< P l0
 
   /// From `at`, pixels, to where the predictor thinks that what it was learnt on is now. Looks at
@@ -53,27 +23,33 @@ struct LinearPredictor {
   [[nodiscard]] Eigen::Vector2d predict(const cv::Mat1b& image, const Eigen::Vector2d& at) const;
 };
 
-/// Learns predictors. Allocates when it is made, and when it first fills a predictor: not when it
-/// fills one again. Same images, positions and random stream: same predictors.
+/// Learns predictors (3.1.3). Allocates when it is made, and in make(). Same images, positions and
+/// random stream: same predictors.
 class PredictorTrainer {
  public:
   /// Throws std::invalid_argument for a config that makes no sense.
   PredictorTrainer(const PredictorConfig& config, Random random);
 
-  /// Learns `predictor` at a point of `image`, which may lie outside it (3.7): P = X D^+, through
-  /// the N x N Gram matrix of the differences, since N is less than k in the thesis's settings.
+  /// A predictor that always says zero, for learn() to fill.
+  [[nodiscard]] LinearPredictor make() const;
+
+  /// Learns `predictor`, one of make()'s, at a point of `image`, which may lie outside it (3.7):
+  /// P = X D^+, through the N x N Gram matrix of the differences, since N is less than k in the
+  /// thesis's settings.
   void learn(const cv::Mat1b& image, cv::Point at, LinearPredictor& predictor);
 
  private:
-  void draw_support(SupportSet& support);
+  void sample(const cv::Mat1b& image, cv::Point at, const PixelSet& support);
+  void add_ridge();
 
   PredictorConfig config_;
   Random random_;
+  PixelSet moved_;                         // N displacements t
   std::vector<std::uint8_t> reference_;    // l0
-  std::vector<std::uint8_t> observed_;     // l(S o (x + t))
-  std::vector<std::int16_t> differences_;  // D': N x k
+  std::vector<std::uint8_t> observed_;     // l(S o (x + t)), two pixels x N
+  std::vector<std::int32_t> differences_;  // D, pairs of pixels x N
   std::vector<float> system_;              // (D'D + ridge) | X'
-  std::vector<float> weights_;             // its solution, N x 2
+  std::vector<float> weights_;             // its solution, 2 x N
 };
 
 }  // namespace pacer::tracking

@@ -4,42 +4,51 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "learning/tracking/processor.h"
+
 namespace pacer::tracking {
 
-/// The loops in which predictors spend their time, in the widest vectors that the processor has.
-/// Whole numbers are exact and sums of floats are kept in kLanes lanes, so that every processor
-/// gives the same numbers. Lengths are multiples of kLanes; what pads them is zero.
+/// A grey image in memory, H x W.
+struct PixelView {
+  const std::uint8_t* data;
+  int width, height;
+  std::size_t step;  ///< bytes from row to row
+};
+
+/// The loops in which predictors spend their time. Whole numbers are exact, and so is every sum of
+/// them. Counts of pixels and samples are whole lanes; what pads them is zero.
 struct PredictorLoops {
-  static constexpr std::size_t kLanes = 16;
+  /// values[i] = image(x + dx[i], y + dy[i]), or the nearest pixel inside the image.
+  void (*observe)(const PixelView& image, int x, int y, const std::int32_t* dx,
+                  const std::int32_t* dy, std::size_t count, std::uint8_t* values);
 
   /// sums[r] = sum_i rows[r * count + i] * values[i], for two rows of `count`.
   void (*project)(const float* rows, const std::uint8_t* values, std::size_t count, float* sums);
 
-  /// The upper triangle of products[i * stride + j] = rows_i . rows_j, for `rows` rows of `count`.
-  /// Entries lie in [-255, 255] and count is at most 32,768: sums fit.
-  void (*gram)(const std::int16_t* values, std::size_t rows, std::size_t count, std::size_t stride,
-               float* products);
+  /// Differences of two pixels in each sample, side by side in one number: to[n] holds
+  /// reference[0] - first[n] in its low half, reference[1] - second[n] in its high half.
+  void (*pair)(const std::uint8_t* reference, const std::uint8_t* first, const std::uint8_t* second,
+               std::size_t samples, std::int32_t* to);
+
+  /// The upper triangle of D'D, for D of `pairs` rows of `samples` pairs: row i of `products`,
+  /// `stride` apart, from the lanes that hold its diagonal on. Writes whole lanes, and four rows at
+  /// a time. Sums stay below 2^31 for 16,384 pairs.
+  void (*gram)(const std::int32_t* differences, std::size_t pairs, std::size_t samples,
+               std::size_t stride, float* products);
 
   /// Solves A Y = B by Cholesky, for a symmetric positive A of `size` rows and two columns B. Row i
   /// of `system` has the upper triangle's row of A, then its two of B, then zeros up to `stride`;
-  /// A is lost, and Y takes B's place.
-  void (*solve)(float* system, std::size_t size, std::size_t stride);
+  /// it is lost. `solution` takes the two columns of Y as rows, padded to whole lanes.
+  void (*solve)(float* system, std::size_t size, std::size_t stride, float* solution);
 
-  /// to[r * count + i] = sum_n weights[2 n + r] * rows[n * count + i], for two rows r.
-  void (*combine)(const std::int16_t* values, const float* weights, std::size_t rows,
-                  std::size_t count, float* to);
+  /// to[r * 2 pairs + i] = sum_n weights[r * samples + n] * D(i, n), for two rows r.
+  void (*combine)(const std::int32_t* differences, std::size_t pairs, std::size_t samples,
+                  const float* weights, float* to);
 };
 
-/// How many kinds this processor can run: one at least, the narrowest first.
-[[nodiscard]] std::size_t predictor_loop_count() noexcept;
-/// The loops of one kind.
+/// The loops for one kind of processor, below processor_kinds().
 [[nodiscard]] const PredictorLoops& predictor_loops(std::size_t kind) noexcept;
-/// The widest.
+/// The widest that this processor can run.
 [[nodiscard]] const PredictorLoops& predictor_loops() noexcept;
-
-/// `count` rounded up to whole lanes.
-[[nodiscard]] constexpr std::size_t padded(std::size_t count) noexcept {
-  return (count + PredictorLoops::kLanes - 1) / PredictorLoops::kLanes * PredictorLoops::kLanes;
-}
 
 }  // namespace pacer::tracking

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace pacer::tracking {
+
+/// Loops that matter are compiled for several kinds of processor, narrow vectors first: any
+/// processor, AVX2, AVX-512. The numbers are the same with each.
+inline constexpr std::size_t kProcessorKinds = 3;
+
+/// How many of them this processor can run: one at least.
+[[nodiscard]] std::size_t processor_kinds() noexcept;
+
+/// Values that loops take together: rows are padded to whole lanes, and sums of floats are kept in
+/// as many lanes, so that the order of additions does not depend on the processor.
+inline constexpr std::size_t kLanes = 16;
+
+/// `count` rounded up to whole lanes.
+[[nodiscard]] constexpr std::size_t padded(std::size_t count) noexcept {
+  return (count + kLanes - 1) / kLanes * kLanes;
+}
+
+}  // namespace pacer::tracking
