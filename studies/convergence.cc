@@ -135,6 +135,11 @@ StudyResult study_convergence(const StudyContext& context, report::Page& page) {
                     {"seconds", taken.count()},
                     {"pictures", pictures.names},
                     {"distances_px", distances}};
+  result.figures["thesis"] = {{"lp_flat_to_px", 20.0},
+                              {"flock_flat_to_px", 20.0},
+                              {"flock_gain_px", 4.0},
+                              {"flock_success_gain", 0.1},
+                              {"lk_ahead_to_px", 5.0}};
   add_shape("lp", found.lp, result);
   add_shape("flock", found.flock, result);
   add_comparisons(found, result);

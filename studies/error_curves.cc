@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/check.h"
 
@@ -83,6 +84,31 @@ BrokenLine fit_broken_line(std::span<const double> x, std::span<const double> y)
     }
   }
   return best;
+}
+
+double reach(std::span<const double> distances, std::span<const double> values, double near) {
+  constexpr double kMore = 1.25;
+  const double most = kMore * mean_where(distances, values, 0.0, near);
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] <= most || values[i - 1] > most) continue;
+    const double share = (most - values[i - 1]) / (values[i] - values[i - 1]);
+    return distances[i - 1] + share * (distances[i] - distances[i - 1]);
+  }
+  return distances.back();
+}
+
+double rank_correlation(std::span<const double> values) {
+  const std::size_t count = values.size();
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
+  double squares = 0.0;
+  for (std::size_t rank = 0; rank < count; ++rank) {
+    const double away = static_cast<double>(rank) - static_cast<double>(order[rank]);
+    squares += away * away;
+  }
+  const auto n = static_cast<double>(count);
+  return 1.0 - 6.0 * squares / (n * (n * n - 1.0));
 }
 
 nlohmann::json error_chart(std::span<const NamedCurve> curves, const std::vector<double>& distances,

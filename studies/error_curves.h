@@ -34,6 +34,15 @@ struct BrokenLine {
 /// which ascends and has five values at least.
 [[nodiscard]] BrokenLine fit_broken_line(std::span<const double> x, std::span<const double> y);
 
+/// How far `values` stay within a quarter above their mean near the point, at distances up to
+/// `near`: where they first go beyond, interpolated, or the last distance.
+[[nodiscard]] double reach(std::span<const double> distances, std::span<const double> values,
+                           double near);
+
+/// Spearman's rank correlation of `values` with their order: 1 when they rise at every step, -1
+/// when they fall at every step. Equal values keep their order.
+[[nodiscard]] double rank_correlation(std::span<const double> values);
+
 /// Charts of named curves side by side: the mean error, and the success rate.
 struct NamedCurve {
   std::string name;

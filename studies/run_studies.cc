@@ -62,9 +62,6 @@ report::Table table_of(const ordered_json& results) {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> all = {
-      {"response", "frame to command on one core, SIFT included", study_response},
-      {"throughput", "recording against a bare simulation loop", study_throughput},
-      {"apriori", "mining: equal to independent implementations, and its time", study_apriori},
       {"convergence", "Figures 3.7, 3.8: a predictor, a flock and Lucas-Kanade, 60,000 tests",
        study_convergence},
       {"training-range", "Figures 3.3, 3.4: answers within the range of training",
@@ -73,6 +70,9 @@ const std::vector<Study>& studies() {
       {"weighting", "Figure 3.10: a flock weighted by agreement, its target partly hidden",
        study_weighting},
       {"interframe", "Figures 3.5, 3.6: a jump of 37 pixels, with blur", study_interframe},
+      {"response", "frame to command on one core, SIFT included", study_response},
+      {"throughput", "recording against a bare simulation loop", study_throughput},
+      {"apriori", "mining: equal to independent implementations, and its time", study_apriori},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", study_hits},
       {"following", "closed loop in unseen rooms, against the teacher", study_following}};
   return all;

@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
-#include <string_view>
 
 #include "core/check.h"
+#include "dataset/picture_file.h"
+#include "dataset/picture_list.h"
 #include "dataset/reader.h"
+#include "learning/tracking/picture.h"
 #include "runs/report/picture.h"
 #include "studies/materials.h"
 
@@ -20,23 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_picture(const fs::directory_entry& entry) {
-  static constexpr std::array<std::string_view, 6> kExtensions = {".jpg", ".jpeg", ".png",
-                                                                  ".bmp", ".ppm",  ".pgm"};
-  std::string extension = entry.path().extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  std::error_code ignored;
-  return std::ranges::find(kExtensions, extension) != kExtensions.end() &&
-         entry.is_regular_file(ignored);
-}
-
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> found;
   try {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-      if (is_picture(entry)) found.push_back(entry.path());
+      if (dataset::is_picture(entry.path()) && entry.is_regular_file()) {
+        found.push_back(entry.path());
+      }
     }
   } catch (const fs::filesystem_error& error) {
     throw std::runtime_error(fmt::format("{}: {}", error.path1().string(), error.code().message()));
@@ -45,14 +35,18 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
   return found;
 }
 
+/// `text` as JSON can hold it.
+std::string as_utf8(const std::string& text) {
+  using nlohmann::json;
+  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
 cv::Mat1b read_grey(const fs::path& file) {
-  cv::Mat1b grey;
-  try {
-    grey = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-  } catch (const cv::Exception&) {  // of a size that OpenCV will not make room for
-    grey.release();
-  }
-  if (grey.empty()) throw std::runtime_error(file.string() + ": cannot be read as a picture");
+  cv::Mat image;
+  dataset::read_picture(file, image);
+  tracking::Picture picture;
+  tracking::to_picture(image, picture);
+  cv::Mat1b grey = picture.grey;
   const int longest = std::max(grey.cols, grey.rows);
   if (longest > TestPictures::kLongestSide) {
     const double scale = static_cast<double>(TestPictures::kLongestSide) / longest;
@@ -96,8 +90,8 @@ TestPictures room_pictures(const StudyContext& context) {
   for (const Purpose purpose : {Purpose::kCollect, Purpose::kStudy}) {
     add_room_frames(materials, purpose, TestPictures::kMost / 2, pictures);
   }
-  pictures.about = fmt::format("The pictures are {} frames of {} simulated rooms.",
-                               pictures.grey.size(), pictures.grey.size());
+  pictures.about = fmt::format("One frame of each of {} simulated rooms, the radio link whole.",
+                               pictures.grey.size());
   return pictures;
 }
 
@@ -110,17 +104,17 @@ TestPictures read_test_pictures(const fs::path& folder) {
   }
   const std::vector<fs::path> all = pictures_in(folder);
   if (all.empty()) {
-    throw UsageError(folder.string() + ": no pictures in it (jpg, png, bmp, ppm or pgm)");
+    throw UsageError(folder.string() + ": no pictures in it (" + dataset::kPictureKinds + ")");
   }
   TestPictures pictures;
   const std::size_t chosen = std::min(all.size(), TestPictures::kMost);
   for (std::size_t i = 0; i < chosen; ++i) {
     const fs::path& file = all[i * all.size() / chosen];
     pictures.grey.push_back(read_grey(file));
-    pictures.names.push_back(fs::relative(file, folder).string());
+    pictures.names.push_back(as_utf8(fs::relative(file, folder).string()));
   }
-  pictures.about =
-      fmt::format("The pictures are {} of the {} in {}.", chosen, all.size(), folder.string());
+  pictures.about = fmt::format("{} of the {} pictures in {}, evenly chosen.", chosen, all.size(),
+                               folder.string());
   return pictures;
 }
 
