@@ -135,7 +135,11 @@ void show(const TestPictures& pictures, report::Page& page) {
   constexpr int kColumns = 5;
   const std::vector<std::uint8_t> sheet =
       report::encode_jpeg(report::contact_sheet(tiles, kColumns, {.width = 240, .height = 180}));
-  page.section("Pictures").figure({.bytes = sheet, .caption = pictures.about});
+  report::Content names;
+  names.list(std::vector<report::Text>(pictures.names.begin(), pictures.names.end()));
+  page.section("Pictures")
+      .figure({.bytes = sheet, .caption = pictures.about})
+      .details("Their names", names);
 }
 
 }  // namespace pacer
