@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private to the module: one picture of a sequence.
 #pragma once
 
 #include <filesystem>

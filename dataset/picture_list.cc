@@ -27,14 +27,6 @@ constexpr std::size_t kMostDigits = 12;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-bool is_picture(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return std::ranges::find(kExtensions, extension) != kExtensions.end();
-}
-
 std::optional<std::int64_t> number_of(std::string_view digits) {
   if (digits.empty() || digits.size() > kMostDigits || !std::ranges::all_of(digits, is_digit)) {
     return std::nullopt;
@@ -62,6 +54,14 @@ std::vector<NumberedPicture> sorted(const fs::path& folder, std::vector<Numbered
 }
 
 }  // namespace
+
+bool is_picture(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return std::ranges::find(kExtensions, extension) != kExtensions.end();
+}
 
 std::vector<NumberedPicture> list_pictures(const fs::path& folder) {
   std::map<std::string, std::vector<NumberedPicture>> by_prefix;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private to the module: which pictures a folder holds.
+// Which pictures a folder holds.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,9 @@ struct NumberedPicture {
   std::int64_t number = 0;  ///< as its name says
   std::filesystem::path path;
 };
+
+/// Whether a file's name ends as a picture's does.
+[[nodiscard]] bool is_picture(const std::filesystem::path& file);
 
 /// The pictures of a folder (jpg, png, bmp, ppm, pgm; any case), by number: those whose names are a
 /// number or, where there are none, end in one behind the same letters ("frame0001.png"). None

@@ -38,6 +38,7 @@ struct StudyContext {
   std::filesystem::path cache;  ///< recordings, models and runs shared between studies
   std::filesystem::path out;    ///< where its page goes; empty: none
   std::optional<std::filesystem::path> transactions;  ///< a file to mine (`apriori`)
+  std::optional<std::filesystem::path> images;  ///< pictures to try displacement estimators on
 };
 
 /// A table or figure that is reproduced, or a comparison.

@@ -17,6 +17,8 @@ class Palette {
  public:
   Palette() = default;
   explicit Palette(std::span<const std::string> names);
+  /// For the values of a quantity in ascending order: from blue to red.
+  [[nodiscard]] static Palette graded(std::span<const std::string> names);
 
   /// `#rrggbb`; for a name that the palette was not made with, grey.
   [[nodiscard]] std::string_view colour(std::string_view name) const noexcept;
@@ -24,7 +26,7 @@ class Palette {
  private:
   struct Entry {
     std::string name;
-    std::string_view colour;
+    std::string colour;
   };
   std::vector<Entry> entries_;
 };
