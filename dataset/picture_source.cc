@@ -66,7 +66,8 @@ class Camera final : public PictureSource {
     }
     const QuietOpenCv quiet;
     try {
-      capture_.open(number);
+      // Not whatever takes the number: other backends search USB and FireWire, and leak.
+      capture_.open(number, cv::CAP_V4L2);
     } catch (const cv::Exception&) {
       capture_.release();
     }
