@@ -223,6 +223,14 @@ TEST(CameraShake, JumpsThirtySevenPixelsWhereTheThesissDoes) {
   EXPECT_GT(*std::max_element(steps.begin() + 280, steps.begin() + 300), 15.0);
 }
 
+TEST(CameraShake, HasTheTruthOfTheMiddleOfTheExposure) {
+  Stage stage = stage_without("camera-shake", {});
+  (void)picture(stage, 375.0);
+  const Box exposed = stage.truth();
+  stage.go_to(375.0);
+  EXPECT_EQ(exposed, stage.truth());
+}
+
 TEST(CameraShake, BlursThePictureWhileItIsShaken) {
   Stage stage = stage_without("camera-shake", {});
   const auto sharpness = [&stage](double frame) {
