@@ -39,6 +39,11 @@ void CascadeConfig::validate() const {
   require(gain > 0.0 && gain <= 1.0, "gain must be above 0, and 1 at most");
   require(better >= 0.0, "better must not be negative");
   require(rescale > 1.0 && rescale <= 2.0, "rescale must be above 1, and 2 at most");
+  require(habit > 0.0 && habit <= 1.0, "habit must be above 0, and 1 at most");
+  require(lost_below >= 0.0 && lost_below < 1.0, "lost_below must be 0 to 1");
+  require(patience >= 0, "patience must not be negative");
+  require(probes >= 1, "probes must be 1 or more");
+  require(found_answer >= 0.0, "found_answer must not be negative");
   require(rate > 0.0 && rate <= 1.0, "rate must be above 0, and 1 at most");
   require(unlike < alike && alike <= 1.0, "unlike must lie below alike, and alike at 1 at most");
   require(new_aspect_above < new_aspect_below, "new_aspect_above must lie below new_aspect_below");
@@ -92,11 +97,15 @@ void CascadeTracker::begin(const Picture& picture, const Box& target) {
   pyramid_.forget();
   look_around(picture.grey, pose_);
   filter_->learn(spectrum_, 1.0);
+  usual_ = filter_->locate(spectrum_).value;
   look_at(picture.grey, pose_);
   memory_.clear();
   memory_.remember(*trainer_, aspect_patch_, 0);
   matched_ = 0;
   likeness_ = 1.0F;
+  doubtful_ = 0;
+  lost_ = false;
+  place_ = 0;
 }
 
 PoseChange CascadeTracker::refine() {
@@ -130,14 +139,7 @@ double CascadeTracker::trust() const {
   return std::clamp((likeness - config_.unlike) / (config_.alike - config_.unlike), 0.0, 1.0);
 }
 
-Track CascadeTracker::follow(const Picture& picture) {
-  const cv::Mat1b& image = picture.grey;
-  pyramid_.forget();
-
-  // The longest range: where did it go?
-  Sighting found = locate(image, pose_);
-
-  // The shorter ones: position, scale and rotation, by the aspect that is seen.
+void CascadeTracker::settle(const cv::Mat1b& image, const Sighting& found) {
   look_at(image, found.pose);
   const PoseChange change = refine() * static_cast<float>(trust());
   const Similarity moved =
@@ -145,35 +147,74 @@ Track CascadeTracker::follow(const Picture& picture) {
                                      static_cast<double>(change[kDown]) * aspect_unit_));
   if (static_cast<double>(likeness_) < config_.unlike) {
     // No aspect that is known: the filter looks for it larger and smaller.
+    Sighting best = found;
     for (const double step : {1.0 / config_.rescale, config_.rescale}) {
       const Sighting other = locate(image, rescaled(moved, step));
-      if (other.answer > found.answer) found = other;
+      if (other.answer > best.answer) best = other;
     }
-    pose_ = found.pose;
+    pose_ = best.pose;
     look_around(image, pose_);
-  } else {
-    const double growth = std::exp(config_.gain * static_cast<double>(change[kLogScale]));
-    pose_ = rescaled(moved, growth);
-    pose_.angle += config_.gain * static_cast<double>(change[kAngle]);
-    // The filter, which knows the background too, has to like the change.
-    if (locate(image, pose_).answer < config_.better * found.answer) {
-      pose_ = moved;
-      look_around(image, pose_);
-    }
+    return;
   }
+  pose_ = rescaled(moved, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
+  pose_.angle += config_.gain * static_cast<double>(change[kAngle]);
+  // The filter, which knows the background too, has to like the change.
+  if (locate(image, pose_).answer < config_.better * found.answer) {
+    pose_ = moved;
+    look_around(image, pose_);
+  }
+}
 
-  // Learn from what is surely the target.
+void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
+  const double stride = 0.5 * search_unit_ * pose_.scale * GradientFeatures::kSide;
+  const auto columns = static_cast<std::size_t>(std::ceil(image.cols / stride));
+  const auto rows = static_cast<std::size_t>(std::ceil(image.rows / stride));
+  for (int probe = 0; probe < config_.probes; ++probe) {
+    place_ = (place_ + 1) % (columns * rows);
+    Similarity there = pose_;
+    there.x = (static_cast<double>(place_ % columns) + 0.5) * stride;
+    there.y = (static_cast<double>(place_ / columns) + 0.5) * stride;
+    const Sighting found = locate(image, inside(image, there));
+    if (found.answer < config_.found_answer * usual_) continue;
+    look_at(image, found.pose);
+    (void)refine();
+    if (static_cast<double>(likeness_) < config_.alike) continue;
+    pose_ = found.pose;
+    return;
+  }
+}
+
+void CascadeTracker::learn(const cv::Mat1b& image) {
   if (trust() > 0.0) filter_->learn(spectrum_, config_.rate * trust());
   const double likeness = static_cast<double>(likeness_);
   if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above) {
     look_at(image, pose_);
     memory_.remember(*trainer_, aspect_patch_, matched_);
   }
+}
+
+double CascadeTracker::judge(double answer) {
+  const double evidence = config_.bias + config_.by_likeness * static_cast<double>(likeness_);
+  const double confidence = 1.0 / (1.0 + std::exp(-evidence));
+  usual_ += config_.habit * trust() * (answer - usual_);
+  doubtful_ = confidence < config_.lost_below ? doubtful_ + 1 : 0;
+  lost_ = doubtful_ > config_.patience;
+  return lost_ ? 0.0 : confidence;
+}
+
+Track CascadeTracker::follow(const Picture& picture) {
+  const cv::Mat1b& image = picture.grey;
+  pyramid_.forget();
+  if (lost_) look_elsewhere(image);
+  const Sighting found = locate(image, pose_);  // the longest range: wherever it went
+  settle(image, found);                         // the shorter ones: position, scale, rotation
+  learn(image);
+  const double confidence = judge(found.answer);
   return {.box = {.x = pose_.x,
                   .y = pose_.y,
                   .width = width_ * pose_.scale,
                   .height = height_ * pose_.scale},
-          .confidence = std::clamp(likeness, 0.0, 1.0)};
+          .confidence = confidence};
 }
 
 void CascadeTracker::annotate(Annotations& annotations) const {

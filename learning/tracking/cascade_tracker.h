@@ -20,13 +20,20 @@ struct CascadeConfig {
   CorrelationFilterConfig filter;
   PosePredictorConfig predictor;
   AppearanceMemoryConfig memory;
-  int rounds = 2;         ///< of the pose predictor in a frame
-  double gain = 0.7;      ///< share of a change of scale or angle that is followed at once
-  double unlike = 0.5;    ///< likeness at which an aspect's predictor counts for nothing
-  double alike = 0.85;    ///< likeness from which on it counts in full
-  double better = 1.01;   ///< by which the filter must answer more for such a change to stand
-  double rescale = 1.05;  ///< steps of scale in which it is looked for where it is not alike
-  double rate = 0.02;     ///< share of a new picture in the filter's memory
+  int rounds = 2;             ///< of the pose predictor in a frame
+  double gain = 0.7;          ///< share of a change of scale or angle that is followed at once
+  double unlike = 0.5;        ///< likeness at which an aspect's predictor counts for nothing
+  double alike = 0.85;        ///< likeness from which on it counts in full
+  double better = 1.01;       ///< by which the filter must answer more for such a change to stand
+  double rescale = 1.05;      ///< steps of scale in which it is looked for where it is not alike
+  double rate = 0.02;         ///< share of a new picture in the filter's memory
+  double habit = 0.1;         ///< share of a new answer of the filter in what it usually answers
+  double bias = -2.15;        ///< confidence is 1 / (1 + exp(-(bias + by_likeness likeness))):
+  double by_likeness = 4.19;  ///< how often, over ten sequences, half of the box was right
+  double lost_below = 0.3;    ///< confidence below which it may be lost
+  int patience = 15;          ///< pictures in a row below it after which it is
+  int probes = 2;  ///< places of the picture, one after another, that are searched while lost
+  double found_answer = 0.6;  ///< of what is usual that the filter must answer where it was found
   double new_aspect_below = 0.65;  ///< likeness below which a new aspect is learnt
   double new_aspect_above = 0.5;   ///< but not below this one: it may be something else
 
@@ -47,6 +54,13 @@ struct CascadeConfig {
     visit("better", better);
     visit("rescale", rescale);
     visit("rate", rate);
+    visit("habit", habit);
+    visit("bias", bias);
+    visit("by_likeness", by_likeness);
+    visit("lost_below", lost_below);
+    visit("patience", patience);
+    visit("probes", probes);
+    visit("found_answer", found_answer);
     visit("new_aspect_below", new_aspect_below);
     visit("new_aspect_above", new_aspect_above);
   }
@@ -82,6 +96,14 @@ class CascadeTracker final : public Tracker {
   [[nodiscard]] PoseChange refine();
   /// How far what the aspect says is to be believed, in [0, 1].
   [[nodiscard]] double trust() const;
+  /// From where the filter found the target to its pose, by predictors of shorter ranges.
+  void settle(const cv::Mat1b& image, const Sighting& found);
+  /// Looks for a lost target in the next places of the picture; `pose_` is there if it is found.
+  void look_elsewhere(const cv::Mat1b& image);
+  /// Takes the picture into the filter's memory, and a new aspect into that of aspects.
+  void learn(const cv::Mat1b& image);
+  /// How probable it is that the box is right, in (0, 1), or 0 when the target is lost.
+  [[nodiscard]] double judge(double answer);
 
   CascadeConfig config_;
   Random random_;
@@ -101,7 +123,11 @@ class CascadeTracker final : public Tracker {
   FeatureMap spectrum_;
   Eigen::VectorXf seen_;
   std::size_t matched_ = 0;  // aspect
-  float likeness_ = 1.0F;    // of what is seen with it
+  double usual_ = 1.0;       // answer of the filter
+  int doubtful_ = 0;         // pictures in a row
+  bool lost_ = false;
+  std::size_t place_ = 0;  // that is searched next
+  float likeness_ = 1.0F;  // of what is seen with it
 };
 
 }  // namespace pacer::tracking
