@@ -54,9 +54,10 @@ class Walking final : public Still {
   double step_;
 };
 
-/// Follows the bright pixels.
+/// Follows the bright pixels. It has an appearance to show once it has followed.
 class Bright final : public Still {
   [[nodiscard]] tracking::Track follow(const tracking::Picture& picture) override {
+    followed_ = true;
     const cv::Mat bright = picture.grey > 150;
     if (cv::countNonZero(bright) == 0) return {.box = box_, .confidence = 0.0};
     const cv::Moments moments = cv::moments(bright, true);
@@ -67,9 +68,11 @@ class Bright final : public Still {
   void annotate(Annotations& annotations) const override {
     annotations.points.push_back(
         {.at = {static_cast<float>(box_.x), static_cast<float>(box_.y)}, .radius = 5.0F});
+    if (!followed_) return;
     annotations.patches.push_back(
         {.size = {2, 2}, .grey = {0, 255, 255, 0}, .tone = Tone::kMatched});
   }
+  bool followed_ = false;
 };
 
 template <class T>

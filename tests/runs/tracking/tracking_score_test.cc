@@ -99,6 +99,12 @@ TEST(TrackingScore, ALostTargetThatIsMetAgainIsLostAllTheSame) {
   EXPECT_EQ(score_of(held).lost_at, 40U);
 }
 
+TEST(TrackingScore, ATargetThatIsHeldInHalfOfTheLastPicturesIsNotLost) {
+  std::vector<bool> held(100, true);
+  held[96] = held[98] = false;
+  EXPECT_EQ(score_of(held).frames_held, 100U);
+}
+
 TEST(TrackingScore, ATargetThatIsMetNowAndThenIsLost) {
   std::vector<bool> held(100, true);
   for (std::size_t i = 30; i < 100; ++i) held[i] = i % 3 == 0;

@@ -108,8 +108,10 @@ TEST(TrackerFilm, ShowsTheTrackerItsBoxItsMarksAndTheTruth) {
   TrackerFilm film(file, 25, "bright", 0, {testing::moving_target(0), std::nullopt});
   const TrackWatch watch = film.watch();
   const auto tracker = testing::make<testing::Bright>(0);
-  tracking::Picture picture = testing::numbered_picture(90);
+  const tracking::Picture picture = testing::numbered_picture(90);
+  tracker->start(picture, testing::moving_target(0));
   for (int i = 0; i < 3; ++i) {
+    if (i > 0) (void)tracker->update(picture);
     watch(picture, {.box = testing::moving_target(0), .confidence = i == 2 ? 0.0 : 1.0}, *tracker);
   }
   film.close();
