@@ -9,7 +9,7 @@ struct PredictorConfig {
   int samples = 100;             ///< N, synthetic displacements it learns from; may be fewer than k
   double support_range = 20.0;   ///< r_sp, pixels; the support lies in a disc of this radius
   double training_range = 30.0;  ///< r_tr, pixels; displacements go as far across and down
-  double ridge = 1e-3;           ///< added to the Gram matrix, relative to its mean diagonal
+  double ridge = 1e-2;           ///< added to the Gram matrix, relative to its mean diagonal
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;

@@ -34,6 +34,7 @@ Track LkSmatTracker::follow(const Picture& picture) {
 }
 
 void LkSmatTracker::annotate(Annotations& annotations) const {
+  if (!aspects_) return;  // not started
   mark_aspects(*aspects_, matched_, grid_, annotations);
 }
 

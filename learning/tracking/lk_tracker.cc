@@ -25,6 +25,7 @@ Track LkTracker::follow(const Picture& picture) {
 }
 
 void LkTracker::annotate(Annotations& annotations) const {
+  if (!registration_) return;  // not started
   annotations.patches.push_back(grid_.patch(template_, Tone::kMatched));
 }
 

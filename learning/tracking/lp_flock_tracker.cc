@@ -25,8 +25,9 @@ Track LpFlockTracker::follow(const Picture& picture) {
 }
 
 void LpFlockTracker::annotate(Annotations& annotations) const {
+  if (!flock_) return;  // not started
   for (const FlockMember& member : flock_->members()) {
-    mark(member, centre(box_), Tone::kNeutral, annotations);
+    mark_predictor(centre(box_) + member.offset, 0.0, Tone::kNeutral, annotations);
   }
 }
 

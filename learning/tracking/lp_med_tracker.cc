@@ -33,8 +33,7 @@ void LpMedTracker::begin(const Picture& picture, const Box& target) {
   distances_.assign(templates, 0.0);
   clusters_.emplace(config_.medoidshift);
   add_template(picture.grey);
-  worst_ = 0;
-  replaced_ = false;
+  worst_.setZero();
   trainer_->learn(picture.grey, box_, candidate_);
 }
 
@@ -77,18 +76,24 @@ void LpMedTracker::add_template(const cv::Mat1b& image) {
 
 void LpMedTracker::replace_worst(const cv::Mat1b& image, const Eigen::Vector2d& origin,
                                  const Eigen::Vector2d& moved) {
-  worst_ = associations_->worst();  // (4.12)
+  const std::size_t worst = associations_->worst();  // (4.12)
+  worst_ = predictors_[worst].offset;
   const double error = (candidate_.predict(image, origin) - moved).norm();
-  replaced_ = error < errors_[worst_];
-  if (!replaced_) return;
-  std::swap(predictors_[worst_], candidate_);
-  associations_->replace(worst_);  // (4.13)
+  if (error >= errors_[worst]) return;
+  std::swap(predictors_[worst], candidate_);
+  associations_->replace(worst);  // (4.13)
 }
 
 void LpMedTracker::annotate(Annotations& annotations) const {
+  if (!clusters_) return;  // not started
+  const Eigen::Vector2d origin = centre(box_);
   for (const FlockMember& predictor : predictors_) {
-    mark(predictor, centre(box_), Tone::kNeutral, annotations);
+    mark_predictor(origin + predictor.offset, 0.0, Tone::kNeutral, annotations);
   }
+  const double range = config_.predictor.support_range;
+  mark_predictor(origin + worst_, range, Tone::kIgnored, annotations);
+  mark_predictor(origin + candidate_.offset, range, Tone::kMatched, annotations);
+  mark_aspects(*clusters_, newest_, grid_, templates_, annotations);
 }
 
 }  // namespace pacer::tracking

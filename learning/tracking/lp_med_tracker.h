@@ -44,8 +44,7 @@ class LpMedTracker final : public Tracker {
 
   std::vector<Eigen::Vector2d> displacements_;  // of all predictors in the last picture
   std::vector<double> errors_, sums_, weights_;
-  std::size_t worst_ = 0;  // l*
-  bool replaced_ = false;
+  Eigen::Vector2d worst_;  // the offset of l*
 };
 
 }  // namespace pacer::tracking

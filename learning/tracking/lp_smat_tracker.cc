@@ -34,9 +34,9 @@ void LpSmatTracker::begin(const Picture& picture, const Box& target) {
   grid_.extract(picture.grey, nearest_pixel(centre(box_)), template_.data());
   aspects_.emplace(config_.smat, grid_.length());
   aspects_->start(template_);
-  active_ = predicted_ = worst_ = 0;
-  replaced_ = false;
-  learn_candidate(picture.grey);
+  active_ = predicted_ = 0;
+  worst_.setZero();
+  trainer_->learn(picture.grey, box_, candidate_);  // (3.7)
 }
 
 // Algorithm 2. What it learns on the last picture is learnt at that picture's end, and the worst
@@ -59,26 +59,27 @@ Track LpSmatTracker::follow(const Picture& picture) {
   const Smat::Match match = aspects_->add(template_);  // (4.1) to (4.3)
   active_ = static_cast<std::size_t>(match.component);
   if (match.created) associations_->copy(predicted_, active_);
-  learn_candidate(image);
+  trainer_->learn(image, box_, candidate_);  // (3.7)
   return {.box = box_, .confidence = agreement(errors_, weights_)};
 }
 
 void LpSmatTracker::replace_worst(const cv::Mat1b& image, const Eigen::Vector2d& moved) {
-  worst_ = associations_->worst(active_);  // (4.7)
+  const std::size_t worst = associations_->worst(active_);  // (4.7)
+  worst_ = predictors_[associations_->members(active_)[worst]].offset;
   const double error = (candidate_.predict(image, centre(box_)) - moved).norm();
-  replaced_ = error < errors_[worst_];
-  if (replaced_) std::swap(predictors_[associations_->replace(active_, worst_)], candidate_);
-}
-
-void LpSmatTracker::learn_candidate(const cv::Mat1b& image) {
-  trainer_->learn(image, box_, candidate_);  // (3.7)
+  if (error >= errors_[worst]) return;
+  std::swap(predictors_[associations_->replace(active_, worst)], candidate_);
 }
 
 void LpSmatTracker::annotate(Annotations& annotations) const {
-  for (const std::size_t l : associations_->members(active_)) {
-    mark(predictors_[l], centre(box_), Tone::kNeutral, annotations);
+  if (!aspects_) return;  // not started
+  const Eigen::Vector2d origin = centre(box_);
+  for (const std::size_t l : associations_->members(predicted_)) {
+    mark_predictor(origin + predictors_[l].offset, 0.0, Tone::kNeutral, annotations);
   }
-  mark_range(candidate_, centre(box_), config_.predictor.support_range, Tone::kTarget, annotations);
+  const double range = config_.predictor.support_range;
+  mark_predictor(origin + worst_, range, Tone::kIgnored, annotations);
+  mark_predictor(origin + candidate_.offset, range, Tone::kMatched, annotations);
   mark_aspects(*aspects_, static_cast<int>(active_), grid_, annotations);
 }
 

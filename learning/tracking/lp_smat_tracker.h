@@ -25,7 +25,6 @@ class LpSmatTracker final : public Tracker {
   void begin(const Picture& picture, const Box& target) override;
   [[nodiscard]] Track follow(const Picture& picture) override;
   void replace_worst(const cv::Mat1b& image, const Eigen::Vector2d& moved);
-  void learn_candidate(const cv::Mat1b& image);
 
   TrackingConfig config_;
   Random random_;
@@ -36,15 +35,14 @@ class LpSmatTracker final : public Tracker {
   TemplateGrid grid_;
   std::vector<std::uint8_t> template_;  // G of the last picture
   std::optional<Smat> aspects_;
-  std::size_t active_ = 0;  // m*
+  std::size_t active_ = 0;     // m*
+  std::size_t predicted_ = 0;  // the component whose members predicted last
   Box box_;
 
-  // Of the active component's members in the last picture.
+  // Of those members in the last picture.
   std::vector<Eigen::Vector2d> displacements_;
   std::vector<double> errors_, weights_;
-  std::size_t worst_ = 0;      // phi, as a member
-  std::size_t predicted_ = 0;  // the component that predicted
-  bool replaced_ = false;
+  Eigen::Vector2d worst_;  // the offset of phi
 };
 
 }  // namespace pacer::tracking

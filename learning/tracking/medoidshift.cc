@@ -138,6 +138,7 @@ void Medoidshift::exchange(std::size_t point) {
   }
 }
 
+// The first of several that are as good, so that points that are the same share their shift.
 void Medoidshift::shift() {
   std::ranges::fill(least_, std::numeric_limits<double>::infinity());
   for (std::size_t j = 0; j < size_; ++j) {
@@ -147,15 +148,11 @@ void Medoidshift::shift() {
 }
 
 void Medoidshift::follow_shifts() {
-  const auto next = [this](std::size_t i) {
-    // Where nothing is better, a point stays.
-    return product_[i * stride_ + i] <= least_[i] ? i : static_cast<std::size_t>(shifts_[i]);
-  };
   std::fill_n(modes_.begin(), size_, kUnseen);
   for (std::size_t start = 0; start < size_; ++start) {
     std::size_t i = start;
     path_.clear();
-    for (; modes_[i] == kUnseen; i = next(i)) {
+    for (; modes_[i] == kUnseen; i = static_cast<std::size_t>(shifts_[i])) {
       modes_[i] = kOnPath;
       path_.push_back(i);
     }

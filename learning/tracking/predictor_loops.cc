@@ -70,6 +70,7 @@ constexpr std::int32_t high_half(std::int32_t pair) { return pair >> 16; }
 
 /// kLanes sums of products of pairs.
 struct AnySums {
+  static constexpr std::size_t kRows = 4;  // that have their sums in registers together
   std::array<std::int32_t, kLanes> lanes;
 
   void clear() { lanes = {}; }
@@ -84,11 +85,11 @@ struct AnySums {
   }
 };
 
-// Four rows of D'D at a time, kLanes columns at a time.
+// A few rows of D'D at a time, kLanes columns at a time.
 template <class Sums>
 PACER_INLINE void gram_body(const std::int32_t* differences, std::size_t pairs, std::size_t samples,
                             std::size_t stride, float* products) {
-  constexpr std::size_t kRows = 4;
+  constexpr std::size_t kRows = Sums::kRows;
   for (std::size_t i = 0; i < samples; i += kRows) {
     for (std::size_t j = i / kLanes * kLanes; j < samples; j += kLanes) {
       Sums sums[kRows];
@@ -272,6 +273,7 @@ PACER_LOOPS(AnyProcessor, 4, AnySums, );
 #ifdef __x86_64__
 #define PACER_TARGET [[gnu::target("avx2")]]
 struct Avx2Sums {
+  static constexpr std::size_t kRows = 4;
   __m256i low, high;
 
   PACER_TARGET void clear() { low = high = _mm256_setzero_si256(); }
@@ -289,14 +291,15 @@ struct Avx2Sums {
 PACER_LOOPS(Avx2, 8, Avx2Sums, PACER_TARGET);
 #undef PACER_TARGET
 
-#define PACER_TARGET [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq,prefer-vector-width=512")]]
+#define PACER_TARGET \
+  [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq,avx512vnni,prefer-vector-width=512")]]
 struct Avx512Sums {
+  static constexpr std::size_t kRows = 8;
   __m512i lanes;
 
   PACER_TARGET void clear() { lanes = _mm512_setzero_si512(); }
   PACER_TARGET void add(std::int32_t pair, const std::int32_t* others) {
-    const __m512i products = _mm512_madd_epi16(_mm512_set1_epi32(pair), _mm512_loadu_si512(others));
-    lanes = _mm512_add_epi32(lanes, products);
+    lanes = _mm512_dpwssd_epi32(lanes, _mm512_set1_epi32(pair), _mm512_loadu_si512(others));
   }
   PACER_TARGET void store(float* to) const { _mm512_storeu_ps(to, _mm512_cvtepi32_ps(lanes)); }
 };

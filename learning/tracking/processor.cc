@@ -9,7 +9,8 @@ std::size_t count_kinds() noexcept {
   __builtin_cpu_init();
   if (!__builtin_cpu_supports("avx2")) return 1;
   const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                    __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
+                    __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+                    __builtin_cpu_supports("avx512vnni");
   return wide ? 3 : 2;
 #else
   return 1;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "learning/tracking/cascade_tracker.h"
 #include "learning/tracking/lk_smat_tracker.h"
 #include "learning/tracking/lk_tracker.h"
 #include "learning/tracking/lp_flock_tracker.h"
@@ -10,6 +11,11 @@ namespace pacer::tracking {
 
 const std::vector<TrackerKind>& trackers() {
   static const std::vector<TrackerKind> all = {
+      {.name = "LP-CASCADE",
+       .about = "a correlation filter, then affine predictors of remembered aspects",
+       .make = [](std::uint64_t seed) -> std::unique_ptr<Tracker> {
+         return std::make_unique<CascadeTracker>(CascadeConfig(), seed);
+       }},
       {.name = "LP-MED",
        .about = "linear predictors, aspects by medoidshift",
        .make = [](std::uint64_t seed) -> std::unique_ptr<Tracker> {

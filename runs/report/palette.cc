@@ -12,8 +12,9 @@ namespace pacer::report {
 namespace {
 
 constexpr std::string_view kGrey = "#9AA0A6";
-constexpr std::array<std::string_view, 6> kColours = {"#4477AA", "#EE6677", "#66CCEE",
-                                                      "#CCBB44", "#EE7733", "#009988"};
+constexpr std::array<std::string_view, 9> kColours = {"#4477AA", "#EE6677", "#66CCEE",
+                                                      "#CCBB44", "#EE7733", "#009988",
+                                                      "#8866CC", "#8C6D31", "#DD55AA"};
 
 std::string_view reserved(std::string_view name) {
   if (name == "teacher") return "#228833";

@@ -11,8 +11,8 @@ namespace pacer::report {
 /// Which colour stands for which policy (or class), the same in every chart, table and video of a
 /// page. Paul Tol's "bright" and "vibrant" colours: told apart by colour-blind readers, on white
 /// and on black. The policies every report knows keep theirs on every page: `teacher` is green,
-/// `neutral` grey, `mean` purple. The others take blue, red, cyan, yellow, orange, teal in the
-/// order of `names`, then again.
+/// `neutral` grey, `mean` purple. The others take blue, red, cyan, yellow, orange, teal, and, less
+/// easily told from them, violet, brown, pink in the order of `names`, then again.
 class Palette {
  public:
   Palette() = default;

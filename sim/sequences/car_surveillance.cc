@@ -177,7 +177,7 @@ Scene car_surveillance(const Random& random) {
     stage.aim(look_at({2.0, -33.0, 15.5}, {2.6, 9.0, 0.0}));
     for (std::size_t i = 0; i < kParked.size(); ++i) {
       const Parked& parked = kParked.at(i);
-      stage.place(("parked_" + std::to_string(i)).c_str(),
+      stage.place("parked_" + std::to_string(i),
                   pose_at({parked.x, parked.y, 0.0}, radians(parked.heading)));
     }
     const Vector2d at = place_at(way, frame);

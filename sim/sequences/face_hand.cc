@@ -32,11 +32,11 @@ struct FaceHand {
   Keyframes ahead{{0, 0},       {200, 0.01},  {420, 0},     {490, 0.16}, {545, 0.14}, {600, 0.0},
                   {700, -0.04}, {800, -0.30}, {850, -0.28}, {930, 0.06}, {1000, 0}};  // metres
   // The hand that passes, metres from the middle of the face to the left.
-  Keyframes passing{{196, 0.62}, {203, 0.125}, {213, 0.0}, {223, -0.125}, {230, -0.62}};
+  Keyframes passing{{196, 0.62}, {203, 0.128}, {213, 0.0}, {223, -0.09}, {231, -0.62}};
   // The hand that takes the glasses: metres below and beside its grip on them.
   Keyframes reach{{338, 0.5}, {357, 0.0}, {364, 0.0}, {372, 0.04}, {392, 0.55}};
-  Keyframes lamp{{0, 1.0},    {430, 1.0}, {560, 1.0}, {590, 0.42}, {660, 0.5},
-                 {690, 1.15}, {760, 1.0}, {840, 0.6}, {900, 1.05}, {1000, 1.0}};  // factor
+  Keyframes lamp{{0, 1.0},    {560, 1.0},  {590, 0.25}, {660, 0.35}, {690, 1.1},
+                 {760, 0.95}, {835, 0.45}, {900, 1.05}, {1000, 1.0}};  // factor
   Keyframes day{{0, 1.0}, {555, 1.0}, {600, 2.2}, {690, 1.6}, {760, 0.5}, {860, 1.4}, {1000, 1.0}};
   Sway nod{"face-hand nod", 70.0};
   Sway turn{"face-hand turn", 110.0};
@@ -110,7 +110,7 @@ Scene face_hand(const Random& random) {
 
     const double beside = script.passing.at(frame);
     stage.place("passing",
-                room * hand_at(face * Vector3d(0.19, 0.0, 0.0) +
+                room * hand_at(face * Vector3d(0.22, 0.0, 0.0) +
                                    Vector3d(0.0, beside, -0.03 - 0.15 * std::abs(beside)),
                                {-1.0, 0.0, 0.1}, {0.0, -0.35 - 0.5 * beside, 1.0}));
     // Glasses stay on the nose until the hand that has them goes.
@@ -123,7 +123,7 @@ Scene face_hand(const Random& random) {
     stage.place("taking", room * hand_at(grip + Vector3d(0.035, -0.3 * away, -0.03 - away),
                                          {-0.25, 1.0, 0.0}, {-0.35, 0.15, 1.0}));
     for (const char* light : {"lamp_0", "lamp_1"}) stage.shine(light, script.lamp.at(frame));
-    stage.shine("", 0.4 + 0.6 * script.lamp.at(frame));
+    stage.shine("", 0.25 + 0.75 * script.lamp.at(frame));
     stage.shine("day", script.day.at(frame));
   };
   return scene;

@@ -28,8 +28,8 @@ struct HeadMotion {
   Keyframes ahead{{0, 0},   {90, 0.06},  {160, -0.08}, {220, 0.07}, {300, 0},
                   {400, 0}, {470, 0.10}, {530, -0.10}, {600, 0}};  // metres, to the camera
   // Where the mug is below the place where it hides the face, metres; beyond 0.3 it is out of view.
-  Keyframes mug{{292, 0.42}, {306, 0.0}, {330, 0.015}, {350, -0.02},
-                {375, 0.01}, {392, 0.0}, {406, 0.42}};
+  Keyframes mug{{288, 0.42}, {300, 0.03}, {304, 0.0},  {330, 0.015}, {350, -0.02},
+                {375, 0.01}, {395, 0.0},  {400, 0.03}, {412, 0.42}};
   Keyframes tip{{305, 0}, {335, 50}, {370, 40}, {392, 0}};  // degrees that one drinks at
   Sway nod{"head-motion nod", 55.0};
   Sway drift{"head-motion drift", 90.0};
@@ -73,7 +73,7 @@ Scene head_motion(const Random& random) {
 
     const double low = script.mug.at(frame);
     const Isometry3d mug =
-        Translation3d(head_pose.translation() + Vector3d(0.175, 0.0, -0.035 - low)) *
+        Translation3d(head_pose.translation() + Vector3d(0.175, 0.0, -0.03 - low)) *
         pose_at({0, 0, 0}, 0.3, -degrees(script.tip), 0.0);
     stage.place("mug", room * mug);
     Isometry3d grip = Isometry3d::Identity();  // the palm on the mug's side, fingers around it

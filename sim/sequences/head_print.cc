@@ -22,10 +22,10 @@ class FaceBrush {
   /// A closed outline, filled; soft by `soft` metres.
   void patch(const std::vector<Vector2d>& outline, const Colour& ink, double amount,
              double soft = 0.0) {
-    cv::Mat mask = cv::Mat::zeros(picture_.size(), CV_8U);
-    cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{on_picture(outline)}, 255, cv::LINE_AA,
+    const Stroke stroke = place(outline, 1.0, soft);
+    cv::fillPoly(stroke.mask, std::vector<std::vector<cv::Point>>{stroke.way}, 255, cv::LINE_AA,
                  kShift);
-    blend(mask, ink, amount, soft);
+    blend(stroke, ink, amount);
   }
   void ellipse(const Vector2d& middle, double half_y, double half_z, const Colour& ink,
                double amount, double soft = 0.0) {
@@ -39,11 +39,11 @@ class FaceBrush {
   }
   void line(const std::vector<Vector2d>& way, double width, const Colour& ink, double amount,
             double soft = 0.0) {
-    cv::Mat mask = cv::Mat::zeros(picture_.size(), CV_8U);
-    cv::polylines(mask, std::vector<std::vector<cv::Point>>{on_picture(way)}, false, 255,
-                  std::max(1, static_cast<int>(std::lround(width * texels()))), cv::LINE_AA,
-                  kShift);
-    blend(mask, ink, amount, soft);
+    const int wide = std::max(1, static_cast<int>(std::lround(width * texels())));
+    const Stroke stroke = place(way, wide, soft);
+    cv::polylines(stroke.mask, std::vector<std::vector<cv::Point>>{stroke.way}, false, 255, wide,
+                  cv::LINE_AA, kShift);
+    blend(stroke, ink, amount);
   }
 
  private:
@@ -52,22 +52,44 @@ class FaceBrush {
   [[nodiscard]] double texels() const {  // a metre, at the middle of the face
     return (head_.on_picture(0.0, -0.01) - head_.on_picture(0.0, 0.01)).y() * picture_.rows / 0.02;
   }
-  [[nodiscard]] std::vector<cv::Point> on_picture(const std::vector<Vector2d>& way) const {
-    std::vector<cv::Point> points;
+  /// A part of the picture that a stroke reaches, and the stroke in it.
+  struct Stroke {
+    cv::Rect part;
+    cv::Mat mask;
+    std::vector<cv::Point> way;  // 1/2^kShift texels
+    double deviation;            // of its soft edge, texels
+  };
+
+  [[nodiscard]] Stroke place(const std::vector<Vector2d>& way, double width, double soft) const {
+    Stroke stroke;
+    stroke.deviation = soft * texels();
+    std::vector<cv::Point2f> points;
     for (const Vector2d& point : way) {
       const Vector2d at = head_.on_picture(point.x(), point.y());
-      points.emplace_back(static_cast<int>(std::lround(at.x() * picture_.cols * (1 << kShift))),
-                          static_cast<int>(std::lround(at.y() * picture_.rows * (1 << kShift))));
+      points.emplace_back(static_cast<float>(at.x() * picture_.cols),
+                          static_cast<float>(at.y() * picture_.rows));
     }
-    return points;
+    const int margin = static_cast<int>(std::ceil(3.0 * stroke.deviation + width)) + 1;
+    const cv::Rect tight = cv::boundingRect(points);
+    stroke.part = cv::Rect(tight.x - margin, tight.y - margin, tight.width + 2 * margin,
+                           tight.height + 2 * margin) &
+                  cv::Rect({0, 0}, picture_.size());
+    stroke.mask = cv::Mat::zeros(stroke.part.size(), CV_8U);
+    for (const cv::Point2f& point : points) {
+      const auto fixed = [](float texel, int origin) {
+        return static_cast<int>(std::lround((texel - static_cast<float>(origin)) * (1 << kShift)));
+      };
+      stroke.way.emplace_back(fixed(point.x, stroke.part.x), fixed(point.y, stroke.part.y));
+    }
+    return stroke;
   }
-  void blend(cv::Mat& mask, const Colour& ink, double amount, double soft) {
-    const double deviation = soft * texels();
-    if (deviation > 0.3) cv::GaussianBlur(mask, mask, {0, 0}, deviation);
-    for (int y = 0; y < picture_.rows; ++y) {
+  void blend(const Stroke& stroke, const Colour& ink, double amount) {
+    cv::Mat mask = stroke.mask;
+    if (stroke.deviation > 0.3) cv::GaussianBlur(mask, mask, {0, 0}, stroke.deviation);
+    for (int y = 0; y < mask.rows; ++y) {
       const auto* const shares = mask.ptr<uchar>(y);
-      auto* const row = picture_.ptr<cv::Vec3b>(y);
-      for (int x = 0; x < picture_.cols; ++x) {
+      auto* const row = picture_.ptr<cv::Vec3b>(stroke.part.y + y) + stroke.part.x;
+      for (int x = 0; x < mask.cols; ++x) {
         if (shares[x] == 0) continue;
         const double share = amount * shares[x] / 255.0;
         for (int c = 0; c < 3; ++c) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
+#include <string>
+#include <vector>
 
 #include "sim/chassis.h"
 #include "sim/print.h"
@@ -40,7 +42,7 @@ struct Race {
 };
 
 struct Entrant {
-  const char* name;
+  std::string name;
   int lane;
   Keyframes lead;  // metres ahead of the athlete who is followed
   double cadence;  // strides a frame
@@ -115,9 +117,7 @@ void build_stadium(const Scene& scene, const Random& random) {
   std::vector<Skin> people;
   std::vector<Skin> adverts;
   for (std::uint64_t i = 0; i < 3; ++i) {
-    // The slope is seen from so low that people would look half as tall.
-    people.push_back(
-        skin(outdoors::crowd({400, 360}, random.fork("crowd", i))).part(0.0F, 0.0F, 1.0F, 0.5F));
+    people.push_back(skin(outdoors::crowd({400, 400}, random.fork("crowd", i))));
     adverts.push_back(skin(outdoors::boards({512, 64}, 2, random.fork("boards", i))));
   }
   std::vector<Skin> goods;
@@ -187,7 +187,7 @@ Scene runner(const Random& random) {
       {{206, 160, 132}, {80, 52, 34}, {60, 134, 84}, {236, 234, 226}, 62},
   }};
   for (std::size_t i = 0; i < looks.size(); ++i) {
-    const char* const name = field().at(i).name;
+    const std::string& name = field().at(i).name;
     add_athlete(scene, scene.add_body(name), name, looks.at(i), random.fork("athlete", i));
   }
   scene.outline = athlete_outline();
@@ -209,8 +209,8 @@ Scene runner(const Random& random) {
     const double focal = stage.lens().focal();
     const double zoom = race.tall.at(frame) * (middle - eye).norm() / (kAthleteHeight * focal);
     const Vector2d wanted =
-        stage.lens().centre() + Vector2d(30.0 * race.aside.at(frame) + 6.0 * race.late.at(frame),
-                                         14.0 * race.down.at(frame));
+        stage.lens().centre() + Vector2d(40.0 * race.aside.at(frame) + 10.0 * race.late.at(frame),
+                                         16.0 * race.down.at(frame));
     stage.frame(eye, middle, wanted, 0.0, zoom);
   };
   return scene;

@@ -69,7 +69,7 @@ int Stage::find(mjtObj kind, const std::string& name) const {
   return id;
 }
 
-void Stage::place(const char* body, const Eigen::Isometry3d& world_from_body) {
+void Stage::place(const std::string& body, const Eigen::Isometry3d& world_from_body) {
   const int mocap = model_->body_mocapid[find(mjOBJ_BODY, body)];
   check(mocap >= 0, "an act places mocap bodies");
   const Eigen::Quaterniond turn(world_from_body.linear());
@@ -86,16 +86,16 @@ void Stage::bend(const std::string& joint, double by) {
   data_->qpos[model_->jnt_qposadr[find(mjOBJ_JOINT, joint)]] = by;
 }
 
-void Stage::show(const char* geom, bool shown) {
+void Stage::show(const std::string& geom, bool shown) {
   model_->geom_group[find(mjOBJ_GEOM, geom)] = shown ? kDecoration : kProxy;
 }
 
-void Stage::shine(const char* light, double factor) {
+void Stage::shine(const std::string& light, double factor) {
   const auto scale = [factor](const float* from, float* to) {
     std::transform(from, from + 3, to,
                    [factor](float level) { return static_cast<float>(factor) * level; });
   };
-  if (*light == '\0') {
+  if (light.empty()) {
     scale(as_built_->vis.headlight.ambient, model_->vis.headlight.ambient);
     return;
   }

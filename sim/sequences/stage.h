@@ -24,7 +24,7 @@ class Stage;
 /// What there is in a simulated sequence and what happens to it.
 struct Scene {
   struct Delete {
-    void operator()(mjSpec* spec) const noexcept { mj_deleteSpec(spec); }
+    void operator()(mjSpec* made) const noexcept { mj_deleteSpec(made); }
   };
   /// Bodies that move are mocap bodies or hang on one. kTarget is the body that is tracked, with
   /// all that hangs on it.
@@ -59,10 +59,11 @@ class Stage {
   void expose(double frame, Frame& out);
 
   // For acts. Names are those of the spec.
-  void place(const char* body, const Eigen::Isometry3d& world_from_body);
+  void place(const std::string& body, const Eigen::Isometry3d& world_from_body);
   void bend(const std::string& joint, double by);  ///< radians, metres where it slides
-  void show(const char* geom, bool shown);
-  void shine(const char* light, double factor);  ///< on its own diffuse light; "": the ambient one
+  void show(const std::string& geom, bool shown);
+  void shine(const std::string& light,
+             double factor);  ///< on its own diffuse light; "": the ambient one
   /// Camera axes: x right, y down, z ahead. `zoom` is a factor on the focal length.
   void aim(const Eigen::Isometry3d& world_from_camera, double zoom = 1.0);
   /// Puts the camera at `eye` and turns it so that `point` is seen at `pixel`; `roll` turns the

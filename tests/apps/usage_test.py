@@ -5,7 +5,7 @@ import subprocess
 
 from pacer_command import BAD_USAGE, COMMAND, SCENARIO, CommandTest, main, run
 
-COMMANDS = ["collect", "train", "evaluate", "drive", "inspect", "study", "doctor"]
+COMMANDS = ["collect", "train", "evaluate", "drive", "sequences", "track", "inspect", "study", "doctor"]
 
 
 class Usage(CommandTest):

@@ -146,6 +146,21 @@ TEST(PictureSource, APictureThatClaimsToBeHugeIsRefused) {
   EXPECT_THAT(complaint_about(scratch / "1.pgm"), HasSubstr("0 x 5 pixels"));
 }
 
+// OpenCV and libpng would print what is wrong with these.
+TEST(PictureSource, ADamagedPictureIsNamedAndNothingIsPrinted) {
+  const Scratch scratch;
+  std::string png = encoded_picture(".png");
+  png[png.size() / 2] = static_cast<char>(png[png.size() / 2] + 1);
+  write_file(scratch / "1.png", png);
+  std::string bmp = encoded_picture(".bmp");
+  bmp[30] = 77;  // a packing that there is not
+  write_file(scratch / "2.bmp", bmp);
+  ::testing::internal::CaptureStderr();
+  EXPECT_THAT(complaint_about(scratch / "1.png"), HasSubstr("cut short or damaged"));
+  EXPECT_THAT(complaint_about(scratch / "2.bmp"), HasSubstr("neither a JPEG"));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(PictureSource, AfterAnUnreadablePictureTheNextIsRead) {
   const Scratch scratch;
   write_file(scratch / "1.png", "garbage");
@@ -160,8 +175,8 @@ TEST(PictureSource, AfterAnUnreadablePictureTheNextIsRead) {
 
 TEST(PictureSource, ACameraThatIsNotThereIsNamedAndNothingIsPrinted) {
   ::testing::internal::CaptureStderr();
-  EXPECT_THAT(complaint([] { static_cast<void>(open_camera(987)); }),
-              AllOf(StartsWith("camera 987: "), HasSubstr("/dev/video987")));
+  EXPECT_THAT(complaint([] { static_cast<void>(open_camera(63)); }),
+              AllOf(StartsWith("camera 63: "), HasSubstr("/dev/video63")));
   EXPECT_THROW(static_cast<void>(open_camera(-1)), UsageError);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }

@@ -159,6 +159,14 @@ TEST(SequenceAnnotation, NumbersThatNoPictureHasAreRefused) {
   }
 }
 
+TEST(SequenceAnnotation, MoreLinesThanAnySequenceHasPicturesAreRefused) {
+  std::string text;
+  for (std::size_t i = 0; i <= kMostPictures; ++i) text += "0\n";
+  EXPECT_THAT(complaint_about(text, kVot), StartsWith("truth.txt:1000001: one line too many"));
+  text.resize(2 * kMostPictures);
+  EXPECT_EQ(complaint_about(text, kVot), "");
+}
+
 TEST(SequenceAnnotation, WhatIsNoTextIsShownSafely) {
   EXPECT_THAT(complaint_about(std::string("1,2,\0\x1b[2J,4", 10)),
               HasSubstr("'??[2J' is no number"));

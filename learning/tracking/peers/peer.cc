@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/tracking/peers/peer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <opencv2/core.hpp>
+
+namespace pacer::tracking {
+namespace {
+
+/// The whole pixels of `box` that lie in the picture; empty where there are none.
+cv::Rect pixels_in(const Box& box, const cv::Size& picture) {
+  const auto within = [](double edge, int size) {
+    return static_cast<int>(std::lround(std::clamp(edge, 0.0, static_cast<double>(size))));
+  };
+  return {cv::Point(within(box.left(), picture.width), within(box.top(), picture.height)),
+          cv::Point(within(box.left() + box.width, picture.width),
+                    within(box.top() + box.height, picture.height))};
+}
+
+}  // namespace
+
+void Peer::begin(const Picture& picture, const Box& target) {
+  last_ = target;
+  running_ = false;
+  const cv::Rect pixels = pixels_in(target, picture.grey.size());
+  if (pixels.empty()) return;
+  try {
+    running_ = start_library(picture, pixels);
+  } catch (const std::exception&) {
+    // What the library cannot track is lost, as is what it loses later.
+  }
+}
+
+Track Peer::follow(const Picture& picture) {
+  const Track lost{.box = last_, .confidence = 0.0};
+  if (!running_) return lost;
+  Box found = last_;
+  try {
+    if (!update_library(picture, found)) return lost;
+  } catch (const std::exception&) {
+    running_ = false;  // nobody knows what state it left behind
+    return lost;
+  }
+  if (!is_proper(found)) {
+    running_ = false;
+    return lost;
+  }
+  last_ = found;
+  return {.box = last_, .confidence = 1.0};
+}
+
+}  // namespace pacer::tracking

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/tracking/semi_boost/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pacer::tracking {
+
+cv::Rect part_in(const Box& box, const cv::Size& picture) {
+  const auto within = [](double edge, int size) {
+    return static_cast<int>(std::lround(std::clamp(edge, 0.0, static_cast<double>(size))));
+  };
+  return {cv::Point(within(box.left(), picture.width), within(box.top(), picture.height)),
+          cv::Point(within(box.left() + box.width, picture.width),
+                    within(box.top() + box.height, picture.height))};
+}
+
+cv::Rect twice(const cv::Rect& patch) {
+  return {patch.x - patch.width / 2, patch.y - patch.height / 2, 2 * patch.width,
+          2 * patch.height};
+}
+
+std::array<cv::Point, 4> corners(const cv::Rect& region, const cv::Size& size) {
+  const cv::Point last = region.br() - cv::Point(size);
+  return {region.tl(), cv::Point(last.x, region.y), cv::Point(region.x, last.y), last};
+}
+
+Found PatchSearch::best(const StrongClassifier& classifier, const IntegralImage& image,
+                        const cv::Rect& region, const cv::Size& size) {
+  const auto step_of = [](int side) { return std::max(1, (side + 50) / 100); };
+  const cv::Point step(step_of(size.width), step_of(size.height));
+  const int columns = (region.width - size.width) / step.x + 1;
+  const int rows = (region.height - size.height) / step.y + 1;
+  const auto place = [&](int row, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  };
+  margins_.resize(place(rows, 0));
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      margins_[place(row, column)] = classifier.margin(
+          {.image = &image, .left = region.x + column * step.x, .top = region.y + row * step.y});
+    }
+  }
+  // A binomial of three, across and then down; the edge repeats.
+  smooth_.resize(margins_.size());
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      smooth_[place(row, column)] = 0.25F * margins_[place(row, std::max(0, column - 1))] +
+                                    0.5F * margins_[place(row, column)] +
+                                    0.25F * margins_[place(row, std::min(columns - 1, column + 1))];
+    }
+  }
+  Found found;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const float margin = 0.25F * smooth_[place(std::max(0, row - 1), column)] +
+                           0.5F * smooth_[place(row, column)] +
+                           0.25F * smooth_[place(std::min(rows - 1, row + 1), column)];
+      if (margin > found.margin) {
+        found = {.at = {region.x + column * step.x, region.y + row * step.y}, .margin = margin};
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace pacer::tracking

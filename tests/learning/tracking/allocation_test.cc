@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+
+#include "learning/tracking/tracker.h"
+#include "tests/learning/tracking/texture.h"
+
+// Every way to memory, OpenCV's and Eigen's included, ends in one of these.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define PACER_COUNTED
+namespace {
+std::atomic<long> allocations{0};
+}
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** to, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *to = __libc_memalign(alignment, size);
+  return *to == nullptr ? ENOMEM : 0;
+}
+}
+#endif
+
+namespace pacer::tracking {
+namespace {
+
+class HotPath : public ::testing::TestWithParam<TrackerKind> {};
+INSTANTIATE_TEST_SUITE_P(OfEveryTracker, HotPath, ::testing::ValuesIn(trackers()),
+                         [](const auto& tracker) {
+                           std::string name = tracker.param.name;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+// Long enough for components to fill, clusters to form, and templates and predictors to leave.
+TEST_P(HotPath, AllocatesNothingAfterTheStart) {
+#ifdef PACER_COUNTED
+  const cv::Mat1b still = texture({160, 120}, 1), other = texture({160, 120}, 2);
+  const Picture pictures[] = {picture_of(still), picture_of(part_of(still, {2.3, 1.1}, {160, 120})),
+                              picture_of(other)};
+  const auto tracker = GetParam().make(1);
+  tracker->start(pictures[0], {.x = 80, .y = 60, .width = 40, .height = 30});
+  (void)tracker->update(pictures[0]);  // what is made once in a program
+  const long before = allocations;
+  for (int t = 0; t < 450; ++t) {
+    (void)tracker->update(pictures[static_cast<std::size_t>(t % 100 < 70 ? t % 2 : 2)]);
+  }
+  EXPECT_EQ(allocations - before, 0);
+#else
+  GTEST_SKIP() << "allocations are counted where glibc makes them, without a sanitizer";
+#endif
+}
+
+TEST(Counting, SeesAnAllocation) {
+#ifdef PACER_COUNTED
+  const long before = allocations;
+  const cv::Mat1b image(100, 100);
+  EXPECT_GT(allocations - before, 0);
+  const long then = allocations;
+  const std::vector<int> numbers(100);
+  EXPECT_GT(allocations - then, 0) << numbers.size();
+#else
+  GTEST_SKIP() << "allocations are counted where glibc makes them, without a sanitizer";
+#endif
+}
+
+}  // namespace
+}  // namespace pacer::tracking
