@@ -126,7 +126,7 @@ void draw(const Pair& pair, const Surface& surface, cv::Point from,
   constexpr int kScale = 2;
   constexpr int kSurfaceScale = 10;
   Drawing before(pair.before, kScale);
-  before.square(start, kTemplate / 2, kWhite).cross(start, kBlue);
+  before.square(start, 0.5 * kTemplate, kWhite).cross(start, kBlue);
   Drawing after(pair.after, kScale);
   after.square(start, kSearched, kWhite);
   mark(after, Vector2d::Zero(), start, truth, found);

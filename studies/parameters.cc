@@ -222,18 +222,15 @@ StudyResult study_parameters(const StudyContext& context, report::Page& page) {
   add_charts(
       training, "Figure 3.9 c, d: the training range",
       "A single predictor of k = 100, N = 150 and r_sp = 20 px, tried as far as 60 px to see "
-      "where the widest range ends.",
+      "where the widest range ends. Here and above, points lie where even the widest support sees "
+      "nothing but picture, as far as the pictures' size allows.",
       page);
-  add_costs(
-      complexity, "Complexity k",
-      "Pixels that a predictor looks at, and what they cost on one core. Plain least squares is "
-      "at its worst where there are as many samples as pixels, 150 here: it fits every sample, "
-      "noise and all.",
-      pictures, result, page);
+  add_costs(complexity, "Complexity k",
+            "Pixels that a predictor looks at, and what they cost on one core.", pictures, result,
+            page);
   add_costs(samples, "Samples N",
-            "Displacements that a predictor learns from, and what they cost on one core. The same "
-            "peak is at 100 here.",
-            pictures, result, page);
+            "Displacements that a predictor learns from, and what they cost on one core.", pictures,
+            result, page);
   show(pictures, page);
   return result;
 }

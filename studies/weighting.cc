@@ -63,12 +63,18 @@ StudyResult study_weighting(const StudyContext& context, report::Page& page) {
   const double greatest_error_ratio = greatest_ratio(means(curves[1]), means(curves[0]));
   const double greatest_variance_ratio = greatest_ratio(variances(curves[1]), variances(curves[0]));
 
+  int variance_lower = 0;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (curves[1][i].variance() < curves[0][i].variance()) ++variance_lower;
+  }
+
   StudyResult result;
   result.figures = {{"tests", test.points * test.ranges * test.tests},
                     {"error_ratio", error_ratio},
                     {"variance_ratio", variance_ratio},
                     {"greatest_error_ratio", greatest_error_ratio},
                     {"greatest_variance_ratio", greatest_variance_ratio},
+                    {"variance_lower_at", variance_lower},
                     {"pictures", pictures.names},
                     {"distances_px", distances}};
   for (const NamedCurve& one : named) result.figures["curves"][one.name] = to_json(one.curve);
