@@ -2,9 +2,9 @@
 #include "learning/tracking/flock.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/check.h"
+#include "learning/tracking/motion.h"
 
 namespace pacer::tracking {
 
@@ -12,9 +12,8 @@ MemberTrainer::MemberTrainer(const PredictorConfig& config, const Random& random
     : trainer_(config, random.fork("predictors")), places_(random.fork("places")) {}
 
 void MemberTrainer::learn(const cv::Mat1b& image, const Box& target, FlockMember& member) {
-  const cv::Point pixel(
-      static_cast<int>(std::lround(target.x + target.width * places_.uniform(-0.5, 0.5))),
-      static_cast<int>(std::lround(target.y + target.height * places_.uniform(-0.5, 0.5))));
+  const cv::Point pixel(nearest_pixel(target.x + target.width * places_.uniform(-0.5, 0.5)),
+                        nearest_pixel(target.y + target.height * places_.uniform(-0.5, 0.5)));
   trainer_.learn(image, pixel, member.predictor);
   member.offset = Eigen::Vector2d(pixel.x - target.x, pixel.y - target.y);
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "learning/tracking/motion.h"
 #include "learning/tracking/predictor_loops.h"
 
 namespace pacer::tracking {
@@ -19,8 +19,7 @@ std::size_t row_length(std::size_t samples) { return padded(samples + 2); }
 
 Eigen::Vector2d LinearPredictor::predict(const cv::Mat1b& image, const Eigen::Vector2d& at) const {
   alignas(64) std::array<std::uint8_t, kMostSupport> values;
-  const cv::Point nearest(static_cast<int>(std::lround(at.x())),
-                          static_cast<int>(std::lround(at.y())));
+  const cv::Point nearest = nearest_pixel(at);
   support.observe(image, nearest, values.data());
   Eigen::Vector2f seen;
   predictor_loops().project(projection.data(), values.data(), support.size(), seen.data());

@@ -21,7 +21,8 @@ LucasKanade::LucasKanade(const RegistrationConfig& config, TemplateGrid grid)
 
 void LucasKanade::set_template(std::span<const std::uint8_t> values) {
   std::ranges::copy(values, template_.begin());
-  const auto [width, height] = grid_.size();
+  const int width = grid_.size().width;
+  const int height = grid_.size().height;
   const auto value = [&](int column, int row) {  // the border goes on
     return std::int32_t{values[static_cast<std::size_t>(std::clamp(row, 0, height - 1) * width +
                                                         std::clamp(column, 0, width - 1))]};

@@ -12,8 +12,12 @@ namespace pacer::tracking {
 
 [[nodiscard]] inline Eigen::Vector2d centre(const Box& box) { return {box.x, box.y}; }
 
+/// Of coordinates far beyond any picture, the farthest of which sums are still whole numbers.
+[[nodiscard]] inline int nearest_pixel(double at) {
+  return static_cast<int>(std::lround(std::clamp(at, -1e8, 1e8)));
+}
 [[nodiscard]] inline cv::Point nearest_pixel(const Eigen::Vector2d& at) {
-  return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+  return {nearest_pixel(at.x()), nearest_pixel(at.y())};
 }
 
 /// `box` with its centre at `at`, or as near to there as it can be and still touch the image.

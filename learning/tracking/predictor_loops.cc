@@ -241,35 +241,39 @@ PACER_INLINE void combine_body(const std::int32_t* differences, std::size_t pair
 }
 #undef PACER_INLINE
 
-#define PACER_LOOPS(Kind, kWidth, Sums, Target)                                                   \
-  struct Kind {                                                                                   \
-    Target static void observe(const PixelView& image, int x, int y, const std::int32_t* dx,      \
-                               const std::int32_t* dy, std::size_t count, std::uint8_t* values) { \
-      observe_body(image, x, y, dx, dy, count, values);                                           \
-    }                                                                                             \
-    Target static void project(const float* rows, const std::uint8_t* values, std::size_t count,  \
-                               float* sums) {                                                     \
-      project_body(rows, values, count, sums);                                                    \
-    }                                                                                             \
-    Target static void pair(const std::uint8_t* reference, const std::uint8_t* first,             \
-                            const std::uint8_t* second, std::size_t samples, std::int32_t* to) {  \
-      pair_body(reference, first, second, samples, to);                                           \
-    }                                                                                             \
-    Target static void gram(const std::int32_t* differences, std::size_t pairs,                   \
-                            std::size_t samples, std::size_t stride, float* products) {           \
-      gram_body<Sums>(differences, pairs, samples, stride, products);                             \
-    }                                                                                             \
-    Target static void solve(float* system, std::size_t size, std::size_t stride,                 \
-                             float* solution) {                                                   \
-      solve_body<kWidth>(system, size, stride, solution);                                         \
-    }                                                                                             \
-    Target static void combine(const std::int32_t* differences, std::size_t pairs,                \
-                               std::size_t samples, const float* weights, float* to) {            \
-      combine_body(differences, pairs, samples, weights, to);                                     \
-    }                                                                                             \
-    static constexpr PredictorLoops kLoops{observe, project, pair, gram, solve, combine};         \
+#define PACER_LOOPS(Kind, kWidth, Sums)                                                            \
+  struct Kind {                                                                                    \
+    PACER_TARGET static void observe(const PixelView& image, int x, int y, const std::int32_t* dx, \
+                                     const std::int32_t* dy, std::size_t count,                    \
+                                     std::uint8_t* values) {                                       \
+      observe_body(image, x, y, dx, dy, count, values);                                            \
+    }                                                                                              \
+    PACER_TARGET static void project(const float* rows, const std::uint8_t* values,                \
+                                     std::size_t count, float* sums) {                             \
+      project_body(rows, values, count, sums);                                                     \
+    }                                                                                              \
+    PACER_TARGET static void pair(const std::uint8_t* reference, const std::uint8_t* first,        \
+                                  const std::uint8_t* second, std::size_t samples,                 \
+                                  std::int32_t* to) {                                              \
+      pair_body(reference, first, second, samples, to);                                            \
+    }                                                                                              \
+    PACER_TARGET static void gram(const std::int32_t* differences, std::size_t pairs,              \
+                                  std::size_t samples, std::size_t stride, float* products) {      \
+      gram_body<Sums>(differences, pairs, samples, stride, products);                              \
+    }                                                                                              \
+    PACER_TARGET static void solve(float* system, std::size_t size, std::size_t stride,            \
+                                   float* solution) {                                              \
+      solve_body<kWidth>(system, size, stride, solution);                                          \
+    }                                                                                              \
+    PACER_TARGET static void combine(const std::int32_t* differences, std::size_t pairs,           \
+                                     std::size_t samples, const float* weights, float* to) {       \
+      combine_body(differences, pairs, samples, weights, to);                                      \
+    }                                                                                              \
+    static constexpr PredictorLoops kLoops{observe, project, pair, gram, solve, combine};          \
   }
-PACER_LOOPS(AnyProcessor, 4, AnySums, );
+#define PACER_TARGET
+PACER_LOOPS(AnyProcessor, 4, AnySums);
+#undef PACER_TARGET
 #ifdef __x86_64__
 #define PACER_TARGET [[gnu::target("avx2")]]
 struct Avx2Sums {
@@ -288,11 +292,10 @@ struct Avx2Sums {
     _mm256_storeu_ps(to + 8, _mm256_cvtepi32_ps(high));
   }
 };
-PACER_LOOPS(Avx2, 8, Avx2Sums, PACER_TARGET);
+PACER_LOOPS(Avx2, 8, Avx2Sums);
 #undef PACER_TARGET
 
-#define PACER_TARGET \
-  [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq,avx512vnni,prefer-vector-width=512")]]
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
 struct Avx512Sums {
   static constexpr std::size_t kRows = 8;
   __m512i lanes;
@@ -303,7 +306,7 @@ struct Avx512Sums {
   }
   PACER_TARGET void store(float* to) const { _mm512_storeu_ps(to, _mm512_cvtepi32_ps(lanes)); }
 };
-PACER_LOOPS(Avx512, 16, Avx512Sums, PACER_TARGET);
+PACER_LOOPS(Avx512, 16, Avx512Sums);
 #undef PACER_TARGET
 constexpr std::array<PredictorLoops, kProcessorKinds> kKinds{AnyProcessor::kLoops, Avx2::kLoops,
                                                              Avx512::kLoops};

@@ -3,6 +3,13 @@
 
 #include <cstddef>
 
+// What the widest kind is compiled for; clang has no name for the width that is preferred.
+#ifdef __clang__
+#define PACER_AVX512 "avx512f,avx512bw,avx512vl,avx512dq,avx512vnni"
+#else
+#define PACER_AVX512 "avx512f,avx512bw,avx512vl,avx512dq,avx512vnni,prefer-vector-width=512"
+#endif
+
 namespace pacer::tracking {
 
 /// Loops that matter are compiled for several kinds of processor, narrow vectors first: any

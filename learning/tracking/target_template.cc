@@ -12,16 +12,18 @@ namespace {
 /// The i-th of `count` places along a side of this length, from its centre pixel.
 int place(int i, int count, double length) {
   const double spacing = length / count;
-  return static_cast<int>(std::floor((i + 0.5) * spacing - 0.5 * length));
+  return static_cast<int>(std::floor(std::clamp((i + 0.5) * spacing - 0.5 * length, -1e8, 1e8)));
 }
 
 }  // namespace
 
 TemplateGrid::TemplateGrid(double width, double height, int most_pixels) {
   const double thinning = std::min(1.0, std::sqrt(most_pixels / (width * height)));
-  size_.width = std::clamp(static_cast<int>(width * thinning), 1, most_pixels);
-  size_.height =
-      std::clamp(static_cast<int>(height * thinning), 1, std::max(1, most_pixels / size_.width));
+  const auto pixels = [&](double side, int most) {
+    return static_cast<int>(std::clamp(side * thinning, 1.0, std::max(1.0, most * 1.0)));
+  };
+  size_.width = pixels(width, most_pixels);
+  size_.height = pixels(height, most_pixels / size_.width);
   spacing_ = Eigen::Vector2d(width / size_.width, height / size_.height);
   const auto count = static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
   pixels_ = PixelSet(count);

@@ -41,30 +41,36 @@ PACER_INLINE void lower_body(const double* row, double number, std::size_t count
 }
 #undef PACER_INLINE
 
-#define PACER_LOOPS(Kind, Target)                                                                \
-  struct Kind {                                                                                  \
-    Target static std::uint32_t squared_distance(const std::uint8_t* a, const std::uint8_t* b,   \
-                                                 std::size_t count) {                            \
-      return squared_distance_body(a, b, count);                                                 \
-    }                                                                                            \
-    Target static void add_scaled(double weight, const float* row, std::size_t count,            \
-                                  double* to) {                                                  \
-      add_scaled_body(weight, row, count, to);                                                   \
-    }                                                                                            \
-    Target static void exchange(float in, const float* added, float out, const float* removed,   \
-                                std::size_t count, double* to) {                                 \
-      exchange_body(in, added, out, removed, count, to);                                         \
-    }                                                                                            \
-    Target static void lower(const double* row, double number, std::size_t count, double* least, \
-                             double* at) {                                                       \
-      lower_body(row, number, count, least, at);                                                 \
-    }                                                                                            \
-    static constexpr TemplateLoops kLoops{squared_distance, add_scaled, exchange, lower};        \
+#define PACER_LOOPS(Kind)                                                                          \
+  struct Kind {                                                                                    \
+    PACER_TARGET static std::uint32_t squared_distance(const std::uint8_t* a,                      \
+                                                       const std::uint8_t* b, std::size_t count) { \
+      return squared_distance_body(a, b, count);                                                   \
+    }                                                                                              \
+    PACER_TARGET static void add_scaled(double weight, const float* row, std::size_t count,        \
+                                        double* to) {                                              \
+      add_scaled_body(weight, row, count, to);                                                     \
+    }                                                                                              \
+    PACER_TARGET static void exchange(float in, const float* added, float out,                     \
+                                      const float* removed, std::size_t count, double* to) {       \
+      exchange_body(in, added, out, removed, count, to);                                           \
+    }                                                                                              \
+    PACER_TARGET static void lower(const double* row, double number, std::size_t count,            \
+                                   double* least, double* at) {                                    \
+      lower_body(row, number, count, least, at);                                                   \
+    }                                                                                              \
+    static constexpr TemplateLoops kLoops{squared_distance, add_scaled, exchange, lower};          \
   }
-PACER_LOOPS(AnyProcessor, );
+#define PACER_TARGET
+PACER_LOOPS(AnyProcessor);
+#undef PACER_TARGET
 #ifdef __x86_64__
-PACER_LOOPS(Avx2, [[gnu::target("avx2")]]);
-PACER_LOOPS(Avx512, [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq,prefer-vector-width=512")]]);
+#define PACER_TARGET [[gnu::target("avx2")]]
+PACER_LOOPS(Avx2);
+#undef PACER_TARGET
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
+PACER_LOOPS(Avx512);
+#undef PACER_TARGET
 constexpr std::array<TemplateLoops, kProcessorKinds> kKinds{AnyProcessor::kLoops, Avx2::kLoops,
                                                             Avx512::kLoops};
 #else

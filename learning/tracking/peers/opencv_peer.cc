@@ -117,12 +117,13 @@ std::unique_ptr<Tracker> make_peer(Input input,
 
 namespace legacy = cv::legacy;
 
-// Boosting and TLD work on grey, but take colour only.
+// Boosting and TLD make grey of what they are given, but take colour only. MIL reads the first
+// channel, blue: people hand it colour. MOSSE and MedianFlow work on grey.
 std::unique_ptr<Tracker> make_boosting(std::uint64_t seed) {
   return make_peer<legacy::TrackerBoosting>(Input::kColour, fits_haar, seed);
 }
 std::unique_ptr<Tracker> make_mil(std::uint64_t seed) {
-  return make_peer<legacy::TrackerMIL>(Input::kGrey, fits_mil, seed);
+  return make_peer<legacy::TrackerMIL>(Input::kColour, fits_mil, seed);
 }
 std::unique_ptr<Tracker> make_kcf(std::uint64_t seed) {
   return make_peer<legacy::TrackerKCF>(Input::kColour, fits_any, seed);

@@ -17,8 +17,9 @@ const std::vector<TrackerKind>& peers() {
        make_boosting},
       {"MIL", "OpenCV's multiple-instance learning (Babenko et al. 2009)", make_mil},
       {"KCF", "OpenCV's kernelised correlation filter (Henriques et al. 2015)", make_kcf},
-      {"CSRT", "OpenCV's discriminative correlation filter with channel and spatial reliability "
-               "(Lukezic et al. 2017)",
+      {"CSRT",
+       "OpenCV's discriminative correlation filter with channel and spatial reliability "
+       "(Lukezic et al. 2017)",
        make_csrt},
       {"MOSSE", "OpenCV's minimum output sum of squared error filter (Bolme et al. 2010)",
        make_mosse},

@@ -30,8 +30,8 @@ void VispLibrary::start(const cv::Mat1b& grey, const cv::Rect& target) {
   const vpImagePoint top_right(target.y, target.br().x - 1);
   const vpImagePoint low_left(target.br().y - 1, target.x);
   const vpImagePoint low_right(target.br().y - 1, target.br().x - 1);
-  impl_->tracker.initFromPoints(
-      impl_->image, {top_left, top_right, low_right, top_left, low_right, low_left});
+  impl_->tracker.initFromPoints(impl_->image,
+                                {top_left, top_right, low_right, top_left, low_right, low_left});
 }
 
 cv::Point2d VispLibrary::update(const cv::Mat1b& grey) {

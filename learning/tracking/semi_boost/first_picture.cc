@@ -17,8 +17,9 @@ constexpr double kMostOverlap = 0.35;  // of background with the target; a corne
 
 /// `target` of the picture turned about its centre (degrees) and scaled.
 cv::Mat1b warped(const cv::Mat1b& grey, const cv::Rect& target, double angle, double scale) {
-  const cv::Point2f centre(static_cast<float>(target.x) + 0.5F * static_cast<float>(target.width - 1),
-                           static_cast<float>(target.y) + 0.5F * static_cast<float>(target.height - 1));
+  const cv::Point2f centre(
+      static_cast<float>(target.x) + 0.5F * static_cast<float>(target.width - 1),
+      static_cast<float>(target.y) + 0.5F * static_cast<float>(target.height - 1));
   cv::Mat1d transform = cv::getRotationMatrix2D(centre, angle, scale);
   transform(0, 2) -= target.x;
   transform(1, 2) -= target.y;

@@ -54,9 +54,8 @@ struct HaarFeature {
     float value = 0.0F;
     for (int i = 0; i < count; ++i) {
       const Part& part = parts[static_cast<std::size_t>(i)];
-      value += part.weight * static_cast<float>(patch.image->sum(patch.left + part.x,
-                                                                 patch.top + part.y, part.width,
-                                                                 part.height));
+      value += part.weight * static_cast<float>(patch.image->sum(
+                                 patch.left + part.x, patch.top + part.y, part.width, part.height));
     }
     return value;
   }

@@ -16,8 +16,7 @@ cv::Rect part_in(const Box& box, const cv::Size& picture) {
 }
 
 cv::Rect twice(const cv::Rect& patch) {
-  return {patch.x - patch.width / 2, patch.y - patch.height / 2, 2 * patch.width,
-          2 * patch.height};
+  return {patch.x - patch.width / 2, patch.y - patch.height / 2, 2 * patch.width, 2 * patch.height};
 }
 
 std::array<cv::Point, 4> corners(const cv::Rect& region, const cv::Size& size) {

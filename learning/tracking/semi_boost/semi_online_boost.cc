@@ -37,7 +37,8 @@ class SemiOnlineBoost final : public Tracker {
     if (samples.background().empty()) return;
     const ImageSize size{patch_.width, patch_.height};
     Random features = random.fork("prior");
-    prior_ = boost(samples.targets(), samples.background(), size, kPriorPool, kPriorRounds, features);
+    prior_ =
+        boost(samples.targets(), samples.background(), size, kPriorPool, kPriorRounds, features);
     online_.emplace(size, random.fork("online"));
     for (int pass = 0; pass < kLabelledPasses; ++pass) {
       const std::size_t pairs = std::max(samples.targets().size(), samples.background().size());

@@ -16,8 +16,8 @@ namespace pacer::tracking {
 /// picture is searched whole.
 ///
 /// It follows position, not size, of the part of the box that lies in the first picture; that part
-/// stays in the picture. A target of a single pixel, and one that leaves no background, is lost from
-/// the start. The confidence is the on-line classifier's margin.
+/// stays in the picture. A target of a single pixel, and one that leaves no background, is lost
+/// from the start. The confidence is the on-line classifier's margin.
 [[nodiscard]] std::unique_ptr<Tracker> make_semi_online_boost(std::uint64_t seed);
 
 }  // namespace pacer::tracking

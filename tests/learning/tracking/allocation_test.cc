@@ -8,6 +8,7 @@
 
 #include "learning/tracking/tracker.h"
 #include "tests/learning/tracking/texture.h"
+#include "tests/learning/tracking/tracker_names.h"
 
 // Every way to memory, OpenCV's and Eigen's included, ends in one of these.
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -52,13 +53,8 @@ int posix_memalign(void** to, std::size_t alignment, std::size_t size) {
 namespace pacer::tracking {
 namespace {
 
-class HotPath : public ::testing::TestWithParam<TrackerKind> {};
-INSTANTIATE_TEST_SUITE_P(OfEveryTracker, HotPath, ::testing::ValuesIn(trackers()),
-                         [](const auto& tracker) {
-                           std::string name = tracker.param.name;
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+class HotPath : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(OfEveryTracker, HotPath, ::testing::ValuesIn(tracker_names()));
 
 // Long enough for components to fill, clusters to form, and templates and predictors to leave.
 TEST_P(HotPath, AllocatesNothingAfterTheStart) {
@@ -66,7 +62,7 @@ TEST_P(HotPath, AllocatesNothingAfterTheStart) {
   const cv::Mat1b still = texture({160, 120}, 1), other = texture({160, 120}, 2);
   const Picture pictures[] = {picture_of(still), picture_of(part_of(still, {2.3, 1.1}, {160, 120})),
                               picture_of(other)};
-  const auto tracker = GetParam().make(1);
+  const auto tracker = make_tracker(GetParam());
   tracker->start(pictures[0], {.x = 80, .y = 60, .width = 40, .height = 30});
   (void)tracker->update(pictures[0]);  // what is made once in a program
   const long before = allocations;

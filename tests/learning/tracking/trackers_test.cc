@@ -12,6 +12,7 @@
 #include "learning/tracking/lp_smat_tracker.h"
 #include "learning/tracking/tracker.h"
 #include "tests/learning/tracking/texture.h"
+#include "tests/learning/tracking/tracker_names.h"
 
 namespace pacer::tracking {
 namespace {
@@ -36,17 +37,12 @@ struct Wandering {
   }
 };
 
-class EveryTracker : public ::testing::TestWithParam<TrackerKind> {};
-INSTANTIATE_TEST_SUITE_P(OfTheThesis, EveryTracker, ::testing::ValuesIn(trackers()),
-                         [](const auto& tracker) {
-                           std::string name = tracker.param.name;
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+class EveryTracker : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(OfTheThesis, EveryTracker, ::testing::ValuesIn(tracker_names()));
 
 TEST_P(EveryTracker, FollowsATextureThatMoves) {
   const Wandering scene;
-  const auto tracker = GetParam().make(1);
+  const auto tracker = make_tracker(GetParam());
   tracker->start(scene.picture(0), kTarget);
   for (int t = 1; t < 60; ++t) {
     const Track track = tracker->update(scene.picture(t));
@@ -59,7 +55,7 @@ TEST_P(EveryTracker, FollowsATextureThatMoves) {
 
 TEST_P(EveryTracker, StaysWhereNothingMoves) {
   const Wandering scene;
-  const auto tracker = GetParam().make(1);
+  const auto tracker = make_tracker(GetParam());
   tracker->start(scene.picture(0), kTarget);
   for (int t = 1; t < 30; ++t) {
     const Track track = tracker->update(scene.picture(0));
@@ -120,9 +116,8 @@ TEST(LpMedTrackers, ShowTheLargestAspects) {
 }
 
 TEST(Trackers, HaveTheNamesOfTheThesis) {
-  std::vector<std::string> names;
-  for (const TrackerKind& kind : trackers()) names.push_back(kind.name);
-  EXPECT_THAT(names, ::testing::IsSupersetOf({"LK", "LK-SMAT", "LP-FLOCK", "LP-SMAT", "LP-MED"}));
+  EXPECT_THAT(tracker_names(),
+              ::testing::IsSupersetOf({"LK", "LK-SMAT", "LP-FLOCK", "LP-SMAT", "LP-MED"}));
 }
 
 TEST(Trackers, ShowNothingBeforeTheyStart) {
