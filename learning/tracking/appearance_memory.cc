@@ -17,6 +17,15 @@ AppearanceMemory::AppearanceMemory(const AppearanceMemoryConfig& config) : confi
   entries_.resize(static_cast<std::size_t>(config.aspects));
 }
 
+void AppearanceMemory::clear(Eigen::Index pixels) {
+  size_ = 0;
+  matches_ = 0;
+  for (Entry& entry : entries_) {
+    entry.aspect.reference.resize(pixels);
+    entry.aspect.projection.resize(4, pixels);
+  }
+}
+
 std::size_t AppearanceMemory::match(const Eigen::VectorXf& seen) {
   std::size_t best = 0;
   double most = -2.0;

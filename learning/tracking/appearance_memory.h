@@ -28,8 +28,8 @@ class AppearanceMemory {
  public:
   explicit AppearanceMemory(const AppearanceMemoryConfig& config);
 
-  /// Forgets everything.
-  void clear() { size_ = 0; }
+  /// Forgets everything, and makes room for aspects of `pixels` intensities.
+  void clear(Eigen::Index pixels);
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const Aspect& operator[](std::size_t index) const { return entries_[index].aspect; }
 

@@ -99,7 +99,7 @@ void CascadeTracker::begin(const Picture& picture, const Box& target) {
   filter_->learn(spectrum_, 1.0);
   usual_ = filter_->locate(spectrum_).value;
   look_at(picture.grey, pose_);
-  memory_.clear();
+  memory_.clear(config_.predictor.side * config_.predictor.side);
   memory_.remember(*trainer_, aspect_patch_, 0);
   matched_ = 0;
   likeness_ = 1.0F;

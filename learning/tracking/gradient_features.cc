@@ -169,8 +169,8 @@ using Describe = void (*)(const float* samples, std::size_t stride, const float*
   }
 PACER_DESCRIBE(describe_any, )
 #ifdef __x86_64__
-PACER_DESCRIBE(describe_avx2, PACER_AVX2)
-PACER_DESCRIBE(describe_avx512, PACER_AVX512)
+PACER_DESCRIBE(describe_avx2, [[gnu::target("avx2")]])
+PACER_DESCRIBE(describe_avx512, [[gnu::target(PACER_AVX512)]])
 constexpr std::array<Describe, 3> kDescribe{describe_any, describe_avx2, describe_avx512};
 #else
 constexpr std::array<Describe, 1> kDescribe{describe_any};

@@ -21,9 +21,5 @@ struct alignas(64) ComplexLanes {
 };
 
 #define PACER_INLINE [[gnu::always_inline]] inline
-#ifdef __x86_64__
-#define PACER_AVX2 [[gnu::target("avx2")]]
-#define PACER_AVX512 [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq,prefer-vector-width=512")]]
-#endif
 
 }  // namespace pacer::tracking

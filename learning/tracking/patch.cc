@@ -11,6 +11,7 @@
 namespace pacer::tracking {
 namespace {
 
+constexpr int kMostLevels = 12;
 constexpr int kSlop = 4;  // bytes behind a level's last pixel that a gather may read
 
 /// What sampling needs of a level, in its pixels: start and steps of the walk, and its bounds.
@@ -101,8 +102,8 @@ struct PatchLoops {
   }
 PACER_PATCH_LOOPS(AnyProcessor, );
 #ifdef __x86_64__
-PACER_PATCH_LOOPS(Avx2, PACER_AVX2);
-PACER_PATCH_LOOPS(Avx512, PACER_AVX512);
+PACER_PATCH_LOOPS(Avx2, [[gnu::target("avx2")]]);
+PACER_PATCH_LOOPS(Avx512, [[gnu::target(PACER_AVX512)]]);
 #else
 using Avx2 = AnyProcessor;
 using Avx512 = AnyProcessor;
@@ -134,11 +135,21 @@ Patch::Patch(int side_length)
       stride(static_cast<std::size_t>(side_length) + kLanes),
       samples(static_cast<std::size_t>(side_length + 2 * kMargin) * stride) {}
 
+void RegionPyramid::make_room(const cv::Mat1b& image) {
+  levels_.resize(kMostLevels + 1);
+  for (std::size_t n = 0; n < levels_.size(); ++n) {
+    const auto width = static_cast<std::size_t>(image.cols >> n) + 2;
+    const auto height = static_cast<std::size_t>(image.rows >> n) + 2;
+    levels_[n].pixels.resize(width * height + kSlop);
+  }
+}
+
 void RegionPyramid::take(const cv::Mat1b& image, const Similarity& pose, int side, double slack) {
+  if (image.size() != image_.size()) make_room(image);
   image_ = image;
   scale_ = pose.scale;
   level_ = 0;
-  while (pose.scale >= 1.5 * (1 << level_) && level_ < 12) ++level_;
+  while (pose.scale >= 1.5 * (1 << level_) && level_ < kMostLevels) ++level_;
   const int pixel = 1 << level_;
   const double reach = slack * reach_of(pose, side) + 2.0 * pixel;
   const auto low = [&](double centre, int size) {
@@ -156,7 +167,6 @@ void RegionPyramid::take(const cv::Mat1b& image, const Similarity& pose, int sid
   auto stride = static_cast<std::ptrdiff_t>(image.step);
   int width = region_.width;
   int height = region_.height;
-  levels_.resize(std::max(levels_.size(), static_cast<std::size_t>(level_) + 1));
   for (int n = 0; n <= level_; ++n) {
     if (n == 0 && level_ > 0) continue;  // the first halving reads the image itself
     Level& level = levels_[static_cast<std::size_t>(n)];
@@ -164,10 +174,6 @@ void RegionPyramid::take(const cv::Mat1b& image, const Similarity& pose, int sid
     level.height = n == 0 ? height : std::max(1, height / 2);
     // A pixel and a row more than there are: the border, once again.
     level.stride = level.width + 1;
-    level.pixels.resize(std::max(
-        level.pixels.size(),
-        static_cast<std::size_t>(level.stride) * static_cast<std::size_t>(level.height + 1) +
-            kSlop));
     if (n == 0) {
       for (int row = 0; row < height; ++row) {
         std::copy_n(from + row * stride, width,

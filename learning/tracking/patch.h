@@ -33,7 +33,7 @@ struct Patch {
 
 /// Copies of a part of an image, each half as wide and high as the one before, from which patches
 /// are sampled: so that one sample stands for the pixels around it, at a cost that the target's
-/// size hardly changes. Allocates only for an image larger than all before.
+/// size hardly changes. Allocates only where an image's size is not the last one's.
 class RegionPyramid {
  public:
   /// Takes the part of `image` that a patch of `side` samples at `pose` (pixels a sample) looks
@@ -56,6 +56,9 @@ class RegionPyramid {
     int width = 0, height = 0;
     int stride = 0;
   };
+
+  /// Makes room for every level of an image of this size.
+  void make_room(const cv::Mat1b& image);
 
   cv::Mat1b image_;
   cv::Rect region_;     // of the image; its corner is at multiples of the last level's pixel

@@ -233,8 +233,8 @@ struct SpectrumLoops {
   }
 PACER_SPECTRUM_LOOPS(AnyProcessor, );
 #ifdef __x86_64__
-PACER_SPECTRUM_LOOPS(Avx2, PACER_AVX2);
-PACER_SPECTRUM_LOOPS(Avx512, PACER_AVX512);
+PACER_SPECTRUM_LOOPS(Avx2, [[gnu::target("avx2")]]);
+PACER_SPECTRUM_LOOPS(Avx512, [[gnu::target(PACER_AVX512)]]);
 #else
 using Avx2 = AnyProcessor;
 using Avx512 = AnyProcessor;

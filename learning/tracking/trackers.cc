@@ -5,6 +5,7 @@
 #include "learning/tracking/lp_flock_tracker.h"
 #include "learning/tracking/lp_med_tracker.h"
 #include "learning/tracking/lp_smat_tracker.h"
+#include "learning/tracking/semi_boost/semi_online_boost.h"
 #include "learning/tracking/tracker.h"
 
 namespace pacer::tracking {
@@ -40,7 +41,10 @@ const std::vector<TrackerKind>& trackers() {
        .about = "Lucas-Kanade on the first picture's template",
        .make = [](std::uint64_t /*seed*/) -> std::unique_ptr<Tracker> {
          return std::make_unique<LkTracker>();
-       }}};
+       }},
+      {.name = "Semi-Online-Boost",
+       .about = "boosted Haar features against a prior of the first picture",
+       .make = make_semi_online_boost}};
   return all;
 }
 
