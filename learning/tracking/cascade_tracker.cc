@@ -43,7 +43,7 @@ void CascadeConfig::validate() const {
   require(lost_below >= 0.0 && lost_below < 1.0, "lost_below must be 0 to 1");
   require(patience >= 0, "patience must not be negative");
   require(probes >= 1, "probes must be 1 or more");
-  require(found_answer >= 0.0, "found_answer must not be negative");
+  require(recognised >= 0.0, "recognised must not be negative");
   require(rate > 0.0 && rate <= 1.0, "rate must be above 0, and 1 at most");
   require(unlike < alike && alike <= 1.0, "unlike must lie below alike, and alike at 1 at most");
   require(new_aspect_above < new_aspect_below, "new_aspect_above must lie below new_aspect_below");
@@ -175,7 +175,7 @@ void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
     there.x = (static_cast<double>(place_ % columns) + 0.5) * stride;
     there.y = (static_cast<double>(place_ / columns) + 0.5) * stride;
     const Sighting found = locate(image, inside(image, there));
-    if (found.answer < config_.found_answer * usual_) continue;
+    if (found.answer < config_.recognised * usual_) continue;
     look_at(image, found.pose);
     (void)refine();
     if (static_cast<double>(likeness_) < config_.alike) continue;
@@ -184,10 +184,11 @@ void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
   }
 }
 
-void CascadeTracker::learn(const cv::Mat1b& image) {
+void CascadeTracker::learn(const cv::Mat1b& image, double answer) {
   if (trust() > 0.0) filter_->learn(spectrum_, config_.rate * trust());
   const double likeness = static_cast<double>(likeness_);
-  if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above) {
+  if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above &&
+      answer > config_.recognised * usual_) {
     look_at(image, pose_);
     memory_.remember(*trainer_, aspect_patch_, matched_);
   }
@@ -208,7 +209,7 @@ Track CascadeTracker::follow(const Picture& picture) {
   if (lost_) look_elsewhere(image);
   const Sighting found = locate(image, pose_);  // the longest range: wherever it went
   settle(image, found);                         // the shorter ones: position, scale, rotation
-  learn(image);
+  learn(image, found.answer);
   const double confidence = judge(found.answer);
   return {.box = {.x = pose_.x,
                   .y = pose_.y,

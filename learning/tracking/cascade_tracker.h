@@ -33,7 +33,8 @@ struct CascadeConfig {
   double lost_below = 0.3;    ///< confidence below which it may be lost
   int patience = 15;          ///< pictures in a row below it after which it is
   int probes = 2;  ///< places of the picture, one after another, that are searched while lost
-  double found_answer = 0.6;  ///< of what is usual that the filter must answer where it was found
+  double recognised = 0.6;  ///< of its usual answer that the filter must give where an aspect is
+                            ///< learnt, and where a lost target is found again
   double new_aspect_below = 0.65;  ///< likeness below which a new aspect is learnt
   double new_aspect_above = 0.5;   ///< but not below this one: it may be something else
 
@@ -60,7 +61,7 @@ struct CascadeConfig {
     visit("lost_below", lost_below);
     visit("patience", patience);
     visit("probes", probes);
-    visit("found_answer", found_answer);
+    visit("recognised", recognised);
     visit("new_aspect_below", new_aspect_below);
     visit("new_aspect_above", new_aspect_above);
   }
@@ -100,8 +101,9 @@ class CascadeTracker final : public Tracker {
   void settle(const cv::Mat1b& image, const Sighting& found);
   /// Looks for a lost target in the next places of the picture; `pose_` is there if it is found.
   void look_elsewhere(const cv::Mat1b& image);
-  /// Takes the picture into the filter's memory, and a new aspect into that of aspects.
-  void learn(const cv::Mat1b& image);
+  /// Takes the picture into the filter's memory, and a new aspect, where the filter's answer says
+  /// that it is the target's, into that of aspects.
+  void learn(const cv::Mat1b& image, double answer);
   /// How probable it is that the box is right, in (0, 1), or 0 when the target is lost.
   [[nodiscard]] double judge(double answer);
 
