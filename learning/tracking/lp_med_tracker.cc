@@ -55,7 +55,7 @@ Track LpMedTracker::follow(const Picture& picture) {
   associations_->set(newest_, errors_);  // (4.8)
   const std::span<const std::size_t> modes = clusters_->modes();
   const std::size_t aspect = modes[newest_];
-  associations_->update(modes, aspect, newest_, errors_, config_.forgetting);  // (4.9)
+  associations_->update(modes, aspect, errors_, config_.forgetting);  // (4.9)
   replace_worst(image, origin, moved);
   associations_->sum(modes, aspect, sums_);
   weigh(sums_, weights_);                    // (4.10)

@@ -21,14 +21,13 @@ void TemplateAssociations::set(std::size_t at, std::span<const double> newest) n
 }
 
 void TemplateAssociations::update(std::span<const std::size_t> modes, std::size_t mode,
-                                  std::size_t newest_template, std::span<const double> newest,
-                                  double forgetting) noexcept {
+                                  std::span<const double> newest, double forgetting) noexcept {
   for (std::size_t l = 0; l < predictors_; ++l) {
     newest_[l] = static_cast<float>(forgetting * newest[l]);
   }
   const auto kept = static_cast<float>(1.0 - forgetting);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (modes[m] != mode || m == newest_template) continue;
+    if (modes[m] != mode) continue;
     float* const errors = &errors_[m * predictors_];
     for (std::size_t l = 0; l < predictors_; ++l) errors[l] = kept * errors[l] + newest_[l];
   }

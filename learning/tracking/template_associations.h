@@ -27,9 +27,10 @@ class TemplateAssociations {
     return {&errors_[at * predictors_], predictors_};
   }
 
-  /// Takes the newest errors into account in an aspect, but for its newest template (4.9).
-  void update(std::span<const std::size_t> modes, std::size_t mode, std::size_t newest_template,
-              std::span<const double> newest, double forgetting) noexcept;
+  /// Takes the newest errors into account in an aspect (4.9). In the newest template, whose errors
+  /// they are, nothing changes.
+  void update(std::span<const std::size_t> modes, std::size_t mode, std::span<const double> newest,
+              double forgetting) noexcept;
 
   /// The predictor whose least error, over all templates, is greatest (4.12).
   [[nodiscard]] std::size_t worst() noexcept;

@@ -102,7 +102,7 @@ TEST(TemplateAssociation, SmoothsErrorsWithinAnAspect) {
   for (const std::size_t m : {0U, 1U, 2U}) a.set(m, std::vector<double>{10.0});
   a.set(3, std::vector<double>{20.0});
   const std::vector<std::size_t> modes = {2, 1, 2, 2};
-  a.update(modes, 2, 3, std::vector<double>{20.0}, 0.1);  // (4.9)
+  a.update(modes, 2, std::vector<double>{20.0}, 0.1);  // (4.9)
   EXPECT_FLOAT_EQ(a.errors(0)[0], 11.0F);
   EXPECT_FLOAT_EQ(a.errors(1)[0], 10.0F);
   EXPECT_FLOAT_EQ(a.errors(2)[0], 11.0F);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "tests/learning/tracking/texture.h"
@@ -85,6 +86,16 @@ TEST_F(LucasKanades, StayWithinTheirBasin) {
   registration.set_template(seen(image, {100, 80}));
   const Registration found = registration.align(image, {140, 50});  // two sides away
   EXPECT_GT((found.at - Eigen::Vector2d(100, 80)).norm(), 5.0);
+}
+
+TEST_F(LucasKanades, TakeShorterStepsWhereLongOnesFail) {
+  std::vector<std::uint8_t> faint = seen(image, {100, 80});
+  const int grey = std::accumulate(faint.begin(), faint.end(), 0) / 400;
+  for (std::uint8_t& value : faint) value = static_cast<std::uint8_t>(grey + (value - grey) / 4);
+  registration.set_template(faint);  // steps are four times too long
+  const Registration found = registration.align(image, {101, 79});
+  const cv::Point expected = best(image, faint, {100, 80}, 4);
+  EXPECT_LE((found.at - Eigen::Vector2d(expected.x, expected.y)).norm(), 1.0);
 }
 
 TEST_F(LucasKanades, NeverEndWorseThanTheyBegan) {
