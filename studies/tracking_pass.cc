@@ -36,6 +36,9 @@ bool has_truth(const dataset::Sequence& sequence) {
   });
 }
 
+/// About as many pictures as a tracker will see; a video does not tell, but its truth does.
+std::size_t pictures_of(const TrackingTarget& target) { return target.truth.size() - target.first; }
+
 void require_names(const std::vector<TrackingTarget>& targets) {
   std::set<std::string> names;
   for (const TrackingTarget& target : targets) {
@@ -80,11 +83,11 @@ TrackingComparison track_all(const std::vector<tracking::TrackerKind>& kinds,
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t index) {
     return usual_cost(kinds[index % kinds.size()].name) *
-           static_cast<double>(targets[index / kinds.size()].sequence.pictures.size());
+           static_cast<double>(pictures_of(targets[index / kinds.size()]));
   });
   std::uint64_t expected = 0;
   for (const TrackingTarget& target : targets) {
-    expected += kinds.size() * (target.sequence.pictures.size() - target.first);
+    expected += kinds.size() * pictures_of(target);
   }
 
   SharedCounter tracked;
