@@ -19,6 +19,7 @@ struct StudyCommand {
   std::filesystem::path cache = "out/cache";
   std::filesystem::path transactions;
   std::filesystem::path images;
+  std::filesystem::path sequences;
 
   void run(const std::stop_token& stop) const {
     StudyContext context;
@@ -29,6 +30,7 @@ struct StudyCommand {
     context.cache = cache;
     if (!transactions.empty()) context.transactions = transactions;
     if (!images.empty()) context.images = images;
+    if (!sequences.empty()) context.sequences = sequences;
     context.out = out;
     if (name == "all") {
       const nlohmann::ordered_json all = run_all_studies(context);
@@ -62,6 +64,9 @@ void add_study(CLI::App& app, const std::stop_token& stop) {
                       "apriori: a file to mine, a line being TYPE ITEM ITEM ...");
   command->add_option("--images", options->images,
                       "Chapter 3's: pictures to try predictors on, instead of simulated rooms");
+  command->add_option("--sequences", options->sequences,
+                      "tracking: a folder of sequences with truth (OTB, VOT, GOT-10k, TLD), beside "
+                      "the simulated ones");
   options->common.add_to(*command);
   command->footer("Studies:" + names +
                   "\nExample: pacer study following --json out/following.json --out out/following");

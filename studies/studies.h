@@ -14,6 +14,7 @@ StudyResult study_interframe(const StudyContext& context, report::Page& page);
 StudyResult study_parameters(const StudyContext& context, report::Page& page);
 StudyResult study_response(const StudyContext& context, report::Page& page);
 StudyResult study_throughput(const StudyContext& context, report::Page& page);
+StudyResult study_tracking(const StudyContext& context, report::Page& page);
 StudyResult study_training_range(const StudyContext& context, report::Page& page);
 StudyResult study_weighting(const StudyContext& context, report::Page& page);
 

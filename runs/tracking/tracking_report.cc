@@ -87,7 +87,9 @@ void add_story(Content& content, const TrackingComparison& comparison, std::size
   content.details("Picture by picture", film);
 }
 
-void add_target(report::Page& page, const TrackingComparison& comparison, std::size_t target) {
+}  // namespace
+
+void report_target(report::Page& page, const TrackingComparison& comparison, std::size_t target) {
   const TrackingTarget& which = comparison.targets[target];
   Content& content = page.section(which.name);
   const bool scored = std::ranges::any_of(comparison.runs, [&](const ScoredRun& one) {
@@ -101,8 +103,6 @@ void add_target(report::Page& page, const TrackingComparison& comparison, std::s
   }
   add_story(content, comparison, target);
 }
-
-}  // namespace
 
 void report_tracking(report::Page& page, const TrackingComparison& comparison) {
   const bool scored = has_truth(comparison);
@@ -132,7 +132,7 @@ void report_tracking(report::Page& page, const TrackingComparison& comparison) {
   speed.table(tracking_charts::speed_table(comparison));
   if (scored) speed.chart({.spec = tracking_charts::speed_plot(comparison), .caption = {}});
   for (std::size_t target = 0; target < comparison.targets.size(); ++target) {
-    add_target(page, comparison, target);
+    report_target(page, comparison, target);
   }
 }
 

@@ -12,4 +12,7 @@ namespace pacer {
 /// cannot be, the section says so). For `pacer track --report`, and for studies.
 void report_tracking(report::Page& page, const TrackingComparison& comparison);
 
+/// Adds the section of one target alone.
+void report_target(report::Page& page, const TrackingComparison& comparison, std::size_t target);
+
 }  // namespace pacer
