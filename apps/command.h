@@ -52,6 +52,8 @@ void add_collect(CLI::App& app, const std::stop_token& stop);
 void add_train(CLI::App& app, const std::stop_token& stop);
 void add_evaluate(CLI::App& app, const std::stop_token& stop);
 void add_drive(CLI::App& app, const std::stop_token& stop);
+void add_sequences(CLI::App& app, const std::stop_token& stop);
+void add_track(CLI::App& app, const std::stop_token& stop);
 void add_inspect(CLI::App& app, const std::stop_token& stop);
 void add_study(CLI::App& app, const std::stop_token& stop);
 void add_doctor(CLI::App& app, const std::stop_token& stop);

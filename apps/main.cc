@@ -29,6 +29,8 @@ int main(int argc, char** argv) {
   pacer::add_train(app, stop);
   pacer::add_evaluate(app, stop);
   pacer::add_drive(app, stop);
+  pacer::add_sequences(app, stop);
+  pacer::add_track(app, stop);
   pacer::add_inspect(app, stop);
   pacer::add_study(app, stop);
   pacer::add_doctor(app, stop);

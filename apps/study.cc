@@ -18,6 +18,8 @@ struct StudyCommand {
   std::filesystem::path out;
   std::filesystem::path cache = "out/cache";
   std::filesystem::path transactions;
+  std::filesystem::path images;
+  std::filesystem::path sequences;
 
   void run(const std::stop_token& stop) const {
     StudyContext context;
@@ -27,6 +29,8 @@ struct StudyCommand {
     context.control.progress = progress.callback();
     context.cache = cache;
     if (!transactions.empty()) context.transactions = transactions;
+    if (!images.empty()) context.images = images;
+    if (!sequences.empty()) context.sequences = sequences;
     context.out = out;
     if (name == "all") {
       const nlohmann::ordered_json all = run_all_studies(context);
@@ -49,7 +53,7 @@ void add_study(CLI::App& app, const std::stop_token& stop) {
   CLI::App* command = app.add_subcommand("study", "Measure a table or figure of the thesis");
   std::string names;
   for (const Study& study : studies())
-    names += fmt::format("\n  {:<12}{}", study.name, study.about);
+    names += fmt::format("\n  {:<16}{}", study.name, study.about);
   command->add_option("NAME", options->name, "A study, or all")->required();
   command->add_option("--scenario", options->scenario, "The scenario it is measured on")
       ->capture_default_str();
@@ -58,6 +62,11 @@ void add_study(CLI::App& app, const std::stop_token& stop) {
       ->capture_default_str();
   command->add_option("--transactions", options->transactions,
                       "apriori: a file to mine, a line being TYPE ITEM ITEM ...");
+  command->add_option("--images", options->images,
+                      "Chapter 3's: pictures to try predictors on, instead of simulated rooms");
+  command->add_option("--sequences", options->sequences,
+                      "tracking: a folder of sequences with truth (OTB, VOT, GOT-10k, TLD), beside "
+                      "the simulated ones");
   options->common.add_to(*command);
   command->footer("Studies:" + names +
                   "\nExample: pacer study following --json out/following.json --out out/following");

@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -116,6 +117,29 @@ void make_folder(const std::filesystem::path& path) {
     errno = error.value();
     fail(path, "make the folder");
   }
+}
+
+std::vector<std::filesystem::path> list_files(const std::filesystem::path& folder,
+                                              std::size_t most) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return files;
+  for (fs::directory_iterator each(folder, error); !error && each != fs::directory_iterator();
+       each.increment(error)) {
+    std::error_code gone;
+    if (each->path().filename().string().starts_with('.') || !each->is_regular_file(gone)) continue;
+    if (files.size() == most) {
+      throw std::runtime_error(fmt::format("{}: holds more than {} files", folder.string(), most));
+    }
+    files.push_back(each->path());
+  }
+  if (error) {
+    errno = error.value();
+    fail(folder, "list");
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {

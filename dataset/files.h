@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pacer::dataset {
 
@@ -31,6 +32,11 @@ void move(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Makes the folder and those above it. Throws std::runtime_error, naming it.
 void make_folder(const std::filesystem::path& path);
+
+/// The plain files in a folder that are not hidden, by name; none where there is no folder. Throws
+/// std::runtime_error, naming it, when it cannot be listed or holds more than `most`.
+[[nodiscard]] std::vector<std::filesystem::path> list_files(const std::filesystem::path& folder,
+                                                            std::size_t most = 2'000'000);
 
 /// A folder that one process writes. The lock goes with the object, or with the process.
 class FolderLock {

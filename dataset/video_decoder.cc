@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 
 #include "dataset/libav.h"
 #include "dataset/video.h"
@@ -29,6 +30,7 @@ struct VideoDecoder::Impl {
   AVStream* stream = nullptr;  // the input's
   ImageSize size;
   double skip_before = -1.0;  // s
+  double expected = 0.0;      // when the next picture should be shown, s; negative: not known
   std::uint64_t frames = 0;
   bool ended = false;
 
@@ -67,12 +69,23 @@ struct VideoDecoder::Impl {
       }
       require_good(result);
       const std::int64_t shown = picture->best_effort_timestamp;
-      if (shown == AV_NOPTS_VALUE) fail("a picture has no time");
-      return std::max(0.0, static_cast<double>(shown - start()) * av_q2d(stream->time_base));
+      double time = expected;
+      if (shown != AV_NOPTS_VALUE) {
+        time = std::max(0.0, static_cast<double>(shown - start()) * av_q2d(stream->time_base));
+      } else if (rate_hz() <= 0.0 || time < 0.0) {  // MPEG-1 stamps only some
+        fail("a picture has no time");
+      }
+      expected = rate_hz() > 0.0 ? time + 1.0 / rate_hz() : -1.0;
+      return time;
     }
   }
   [[nodiscard]] std::int64_t start() const {
     return stream->start_time == AV_NOPTS_VALUE ? 0 : stream->start_time;
+  }
+
+  [[nodiscard]] double rate_hz() const {
+    const AVRational rate = stream->avg_frame_rate;
+    return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0.0;
   }
 
   void convert(Frame& frame) {
@@ -111,6 +124,8 @@ VideoDecoder::VideoDecoder(std::filesystem::path path) : impl_(std::make_unique<
   av_dict_free(&options);
   my.require_good(opened);
   my.input.reset(input);
+  // libav takes any text for the recording of a terminal, and would draw it.
+  if (std::string_view(input->iformat->name) == "tty") my.fail("it is a text");
   my.require_good(avformat_find_stream_info(input, nullptr));
   const AVCodec* codec = nullptr;
   const int index = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0);
@@ -152,14 +167,12 @@ void VideoDecoder::seek(Seconds time) {
                                 AVSEEK_FLAG_BACKWARD));
   avcodec_flush_buffers(my.codec.get());
   my.ended = false;
+  my.expected = -1.0;
   my.frames = 0;
 }
 
 ImageSize VideoDecoder::size() const { return impl_->size; }
-double VideoDecoder::rate_hz() const {
-  const AVRational rate = impl_->stream->avg_frame_rate;
-  return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0.0;
-}
+double VideoDecoder::rate_hz() const { return impl_->rate_hz(); }
 std::int64_t VideoDecoder::declared_frames() const { return impl_->stream->nb_frames; }
 
 }  // namespace pacer::dataset

@@ -16,7 +16,10 @@ class SharedCounter {
   SharedCounter(const SharedCounter&) = delete;
   SharedCounter& operator=(const SharedCounter&) = delete;
 
-  void add(std::uint64_t amount) noexcept { value_->fetch_add(amount, std::memory_order_relaxed); }
+  /// Returns what it was before.
+  std::uint64_t add(std::uint64_t amount) noexcept {
+    return value_->fetch_add(amount, std::memory_order_relaxed);
+  }
   [[nodiscard]] std::uint64_t value() const noexcept {
     return value_->load(std::memory_order_relaxed);
   }

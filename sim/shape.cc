@@ -183,6 +183,72 @@ void Shape::cylinder(const Vector& base, double radius, double top_radius, doubl
   }
 }
 
+void Shape::surface(int columns, int rows, const std::function<Vector(double s, double t)>& at,
+                    const Skin& skin) {
+  if (!skin.drawn()) return;
+  constexpr double kNear = 1e-3;  // of the whole: how far apart points are for a direction
+  const auto around = [&](double t) {
+    double length = 0.0;
+    for (int i = 0; i < columns; ++i) {
+      length += (at((i + 1.0) / columns, t) - at(static_cast<double>(i) / columns, t)).norm();
+    }
+    return length;
+  };
+  double widest = 0.0;
+  for (int row = 0; row <= rows; ++row) widest = std::max(widest, around(1.0 * row / rows));
+
+  const int first = static_cast<int>(positions_.size()) / 3;
+  for (int row = 0; row <= rows; ++row) {
+    const double t = static_cast<double>(row) / rows;
+    // At a pole all columns meet: the directions are those a little beside it, and the skin closes
+    // in on its middle, or it would be shrunk there to one mean colour.
+    const double beside = std::clamp(t, 2.0 * kNear, 1.0 - 2.0 * kNear);
+    const double share = std::min(1.0, 4.0 * around(t) / widest);
+    for (int column = 0; column <= columns; ++column) {
+      const double s = static_cast<double>(column) / columns;
+      const Vector right = at(s + kNear, beside) - at(s - kNear, beside);
+      const Vector up = at(s, beside - kNear) - at(s, beside + kNear);
+      const double u = 0.5 + share * (s - 0.5);
+      vertex(at(s, t), right.cross(up).normalized(),
+             skin.texels.x + static_cast<float>(u) * skin.texels.width,
+             skin.texels.y + static_cast<float>(t) * skin.texels.height);
+    }
+  }
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const int a = first + row * (columns + 1) + column;  // top left
+      const int c = a + columns + 1;                       // below it
+      faces_.insert(faces_.end(), {c, c + 1, a + 1, c, a + 1, a});
+    }
+  }
+}
+
+void Shape::limb(const Vector& from, const Vector& to, double radius, double end_radius,
+                 const Vector& front, const Skin& skin, int corners) {
+  const Vector along = (to - from).normalized();
+  const Vector ahead = (front - along.dot(front) * along).normalized();
+  const Vector aside = along.cross(ahead);
+  const double length = (to - from).norm();
+  constexpr int kRounds = 3;  // rows of each end
+  const int rows = 2 * kRounds + 3;
+  surface(
+      corners, rows,
+      [&](double s, double t) -> Vector {
+        const double row = t * rows;
+        const double rest = row - kRounds;
+        const double middle = std::clamp(rest / (rows - 2.0 * kRounds), 0.0, 1.0);
+        const double r = radius + (end_radius - radius) * middle;
+        // How far into a round end, as an angle from its equator.
+        const double bent = rest < 0.0 ? rest : std::max(0.0, row - (rows - kRounds));
+        const double angle = 0.5 * std::numbers::pi * bent / kRounds;
+        const double around = 2.0 * std::numbers::pi * (s - 0.5);
+        const double out = r * std::cos(angle);
+        return from + along * (length * middle + r * std::sin(angle)) +
+               out * (std::cos(around) * ahead - std::sin(around) * aside);
+      },
+      skin);
+}
+
 mjsGeom& Shape::add_to(mjSpec& spec, mjsBody& body, const std::string& name,
                        const std::string& material, cv::Size atlas) const {
   check(!empty(), "a shape that is added has faces");

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -73,6 +74,16 @@ class Shape {
   /// An upright cylinder or cone on `base`; its mantle wears `side`, once around.
   void cylinder(const Vector& base, double radius, double top_radius, double height,
                 const Skin& side, const Skin& top, int corners = 10);
+  /// A smooth surface in columns x rows cells: `at(s, t)` from its left (s = 0) to its right (1)
+  /// and from its top (t = 0) to its bottom (1), seen from the side that shows. It wears `skin`
+  /// once. What goes all round has at(0, t) = at(1, t) and goes on beyond them, so that no seam
+  /// shows.
+  void surface(int columns, int rows, const std::function<Vector(double s, double t)>& at,
+               const Skin& skin);
+  /// A straight limb with round ends, its skin once around and along; `front` is a direction that
+  /// the middle of the skin looks to. Metres.
+  void limb(const Vector& from, const Vector& to, double radius, double end_radius,
+            const Vector& front, const Skin& skin, int corners = 12);
 
   [[nodiscard]] bool empty() const noexcept { return faces_.empty(); }
   [[nodiscard]] int triangles() const noexcept { return static_cast<int>(faces_.size()) / 3; }

@@ -11,6 +11,7 @@
 
 #include "core/hash.h"
 #include "runs/collect.h"
+#include "runs/render_sequences.h"
 #include "runs/train.h"
 
 namespace pacer {
@@ -54,6 +55,14 @@ std::filesystem::path Materials::model(std::uint64_t episodes) const {
   return file;
 }
 
+std::filesystem::path Materials::sequences() const {
+  std::filesystem::path folder = place("sequences", std::to_string(context_.scenario.seed));
+  if (!render_sequences({}, context_.scenario.seed, folder, context_.control).whole) {
+    throw StudyStopped();
+  }
+  return folder;
+}
+
 std::string Materials::fingerprint() const {
   return fmt::format("{:016x}", fnv1a(to_yaml(context_.scenario), program_));
 }
@@ -68,12 +77,13 @@ struct OneCore::Saved {
   cpu_set_t set;
 };
 
-OneCore::OneCore() : saved_(std::make_unique<Saved>()) {
+OneCore::OneCore(std::uint64_t which) : saved_(std::make_unique<Saved>()) {
   if (::sched_getaffinity(0, sizeof saved_->set, &saved_->set) != 0) {
     throw std::system_error(errno, std::generic_category(), "sched_getaffinity");
   }
+  which %= static_cast<std::uint64_t>(CPU_COUNT(&saved_->set));
   int core = 0;
-  while (!CPU_ISSET(core, &saved_->set)) ++core;
+  while (!CPU_ISSET(core, &saved_->set) || which-- > 0) ++core;
   cpu_set_t one;
   CPU_ZERO(&one);
   CPU_SET(core, &one);

@@ -24,6 +24,9 @@ class Materials {
   /// A model learnt from the first `episodes` demonstrated episodes: its file.
   [[nodiscard]] std::filesystem::path model(std::uint64_t episodes) const;
 
+  /// The simulated tracking sequences, each a folder in this one.
+  [[nodiscard]] std::filesystem::path sequences() const;
+
   /// Of the program and the scenario: what a result depends on.
   [[nodiscard]] std::string fingerprint() const;
 
@@ -43,10 +46,11 @@ struct StudyStopped : std::runtime_error {
   StudyStopped() : std::runtime_error("interrupted: the same command goes on from here") {}
 };
 
-/// Keeps this process, and those it starts, on one core while it lives.
+/// Keeps this process, and those it starts, on one core while it lives: on the one at `which` of
+/// those that it may use, counted round.
 class OneCore {
  public:
-  OneCore();  ///< throws std::system_error when the kernel refuses
+  explicit OneCore(std::uint64_t which = 0);  ///< throws std::system_error when the kernel refuses
   ~OneCore();
   OneCore(const OneCore&) = delete;
   OneCore& operator=(const OneCore&) = delete;

@@ -62,6 +62,16 @@ report::Table table_of(const ordered_json& results) {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> all = {
+      {"convergence", "Figures 3.7, 3.8: a predictor, a flock and Lucas-Kanade, 60,000 tests",
+       study_convergence},
+      {"training-range", "Figures 3.3, 3.4: answers within the range of training",
+       study_training_range},
+      {"parameters", "Figure 3.9: what a predictor's parameters do", study_parameters},
+      {"weighting", "Figure 3.10: a flock weighted by agreement, its target partly hidden",
+       study_weighting},
+      {"interframe", "Figures 3.5, 3.6: a jump of 37 pixels, with blur", study_interframe},
+      {"tracking", "Figures 4.4 to 4.17, Table 4.4: every tracker beside those of today",
+       study_tracking},
       {"response", "frame to command on one core, SIFT included", study_response},
       {"throughput", "recording against a bare simulation loop", study_throughput},
       {"apriori", "mining: equal to independent implementations, and its time", study_apriori},
@@ -97,7 +107,10 @@ ordered_json run_study(const Study& study, const StudyContext& context) {
 ordered_json run_all_studies(const StudyContext& context) {
   if (context.out.empty()) throw UsageError("study all: --out names the folder of its page");
   const Materials materials(context);
-  const std::string made_of = materials.fingerprint();
+  std::string made_of = materials.fingerprint();
+  for (const auto& given : {context.images, context.sequences}) {
+    made_of += " " + (given ? given->string() : "");
+  }
   ordered_json results = ordered_json::object();
   for (const Study& study : studies()) {
     const std::filesystem::path kept = context.out / ("." + study.name + ".done.json");
@@ -125,10 +138,11 @@ ordered_json run_all_studies(const StudyContext& context) {
 
 std::string to_text(const ordered_json& result) {
   std::string text;
+  constexpr std::size_t kLongest = 200;  // characters; tables and curves are for --json
   for (const auto& [name, value] : result["figures"].items()) {
-    text += fmt::format(
-        "  {:<28}{}\n", name,
-        value.is_number_float() ? fmt::format("{:.4g}", value.get<double>()) : value.dump());
+    const std::string shown =
+        value.is_number_float() ? fmt::format("{:.4g}", value.get<double>()) : value.dump();
+    if (shown.size() <= kLongest) text += fmt::format("  {:<28}{}\n", name, shown);
   }
   for (const ordered_json& claim : result["claims"]) {
     text += fmt::format("  {} {}: {:.4g}, claimed {}\n",

@@ -7,9 +7,15 @@ namespace pacer {
 
 // One function for each study, each in a file of its own.
 StudyResult study_apriori(const StudyContext& context, report::Page& page);
+StudyResult study_convergence(const StudyContext& context, report::Page& page);
 StudyResult study_following(const StudyContext& context, report::Page& page);
 StudyResult study_hits(const StudyContext& context, report::Page& page);
+StudyResult study_interframe(const StudyContext& context, report::Page& page);
+StudyResult study_parameters(const StudyContext& context, report::Page& page);
 StudyResult study_response(const StudyContext& context, report::Page& page);
 StudyResult study_throughput(const StudyContext& context, report::Page& page);
+StudyResult study_tracking(const StudyContext& context, report::Page& page);
+StudyResult study_training_range(const StudyContext& context, report::Page& page);
+StudyResult study_weighting(const StudyContext& context, report::Page& page);
 
 }  // namespace pacer

@@ -45,6 +45,14 @@ Claim at_most(std::string name, std::string thesis, double measured, double boun
           .holds = measured <= bound};
 }
 
+Claim between(std::string name, std::string thesis, double measured, double low, double high) {
+  return {.name = std::move(name),
+          .thesis = std::move(thesis),
+          .bound = fmt::format("{} to {}", low, high),
+          .measured = measured,
+          .holds = low <= measured && measured <= high};
+}
+
 nlohmann::ordered_json to_json(const Study& study, const StudyContext& context,
                                const StudyResult& result, double seconds) {
   nlohmann::ordered_json claims = nlohmann::ordered_json::array();

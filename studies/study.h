@@ -24,6 +24,8 @@ struct Claim {
 
 [[nodiscard]] Claim at_least(std::string name, std::string thesis, double measured, double bound);
 [[nodiscard]] Claim at_most(std::string name, std::string thesis, double measured, double bound);
+[[nodiscard]] Claim between(std::string name, std::string thesis, double measured, double low,
+                            double high);
 
 /// What a study measured.
 struct StudyResult {
@@ -38,6 +40,8 @@ struct StudyContext {
   std::filesystem::path cache;  ///< recordings, models and runs shared between studies
   std::filesystem::path out;    ///< where its page goes; empty: none
   std::optional<std::filesystem::path> transactions;  ///< a file to mine (`apriori`)
+  std::optional<std::filesystem::path> images;  ///< pictures to try displacement estimators on
+  std::optional<std::filesystem::path> sequences;  ///< with truth, to measure trackers on
 };
 
 /// A table or figure that is reproduced, or a comparison.

@@ -23,7 +23,12 @@ namespace pacer::report::parts {
 /// `names` without repeats, in their order.
 [[nodiscard]] std::vector<std::string> distinct(std::vector<std::string> names);
 
-/// A colour encoding of the field `series`, with a legend where there is more than one name.
-[[nodiscard]] nlohmann::json colour(const std::vector<std::string>& names, const Palette& palette);
+/// A colour encoding of the field `series`, with the legend of its style.
+[[nodiscard]] nlohmann::json colour(const std::vector<std::string>& names, const Palette& palette,
+                                    const ChartStyle& style);
+
+/// Gives `encoding`, of a field with these names, a legend where there is more than one.
+void add_legend(nlohmann::json& encoding, const std::vector<std::string>& names,
+                const ChartStyle& style);
 
 }  // namespace pacer::report::parts

@@ -28,11 +28,18 @@ std::string titled(const Axis& axis) {
 
 json quantity(const std::string& field, const Axis& axis) {
   json scale = {{"zero", axis.from_zero}, {"nice", !axis.limits}};
+  if (axis.log) scale = {{"type", "log"}, {"nice", !axis.limits}};
   if (axis.limits) scale["domain"] = {axis.limits->low, axis.limits->high};
-  return {{"field", field},
-          {"type", "quantitative"},
-          {"title", titled(axis)},
-          {"scale", std::move(scale)}};
+  json encoding = {{"field", field},
+                   {"type", "quantitative"},
+                   {"title", titled(axis)},
+                   {"scale", std::move(scale)}};
+  if (axis.log) {  // marked at powers of ten; those that the data do not reach are left out
+    json marks = json::array();
+    for (int power = -6; power <= 9; ++power) marks.push_back(std::pow(10.0, power));
+    encoding["axis"] = {{"values", std::move(marks)}};
+  }
+  return encoding;
 }
 
 std::vector<std::string> distinct(std::vector<std::string> names) {
@@ -43,7 +50,16 @@ std::vector<std::string> distinct(std::vector<std::string> names) {
   return out;
 }
 
-json colour(const std::vector<std::string>& names, const Palette& palette) {
+void add_legend(json& encoding, const std::vector<std::string>& names, const ChartStyle& style) {
+  if (names.size() < 2) {
+    encoding["legend"] = nullptr;
+  } else if (style.legend_columns > 0) {
+    encoding["legend"] = {{"columns", style.legend_columns}};
+  }
+}
+
+json colour(const std::vector<std::string>& names, const Palette& palette,
+            const ChartStyle& style) {
   json range = json::array();
   for (const std::string& name : names) range.push_back(palette.colour(name));
   json encoding = {{"field", "series"},
@@ -51,7 +67,7 @@ json colour(const std::vector<std::string>& names, const Palette& palette) {
                    {"title", nullptr},
                    {"sort", nullptr},
                    {"scale", {{"domain", names}, {"range", std::move(range)}}}};
-  if (names.size() < 2) encoding["legend"] = nullptr;
+  add_legend(encoding, names, style);
   return encoding;
 }
 
@@ -107,13 +123,13 @@ json line_chart(std::span<const Series> series, const Axis& x, const Axis& y,
                                     [&name](const Series& one) { return one.name == name; });
     dashes.push_back(found->dashed ? json{5, 4} : json{1, 0});
   }
-  const json colours = parts::colour(names, palette);
+  const json colours = parts::colour(names, palette, style);
   json dash = {{"field", "series"},
                {"type", "nominal"},
                {"sort", nullptr},
                {"title", nullptr},
                {"scale", {{"domain", names}, {"range", dashes}}}};
-  if (names.size() < 2) dash["legend"] = nullptr;
+  parts::add_legend(dash, names, style);
 
   const json across = parts::quantity("x", x);  // marks have none: they span the chart
   json layers = json::array();
@@ -177,19 +193,21 @@ json scatter_chart(std::span<const Cloud> clouds, const Axis& x, const Axis& y,
                 {"sort", nullptr},
                 {"title", nullptr},
                 {"scale", {{"domain", names}}}};
-  if (names.size() < 2) shape["legend"] = nullptr;
+  parts::add_legend(shape, names, style);
   json spec = parts::frame(style);
   spec["mark"] = {{"type", "point"},
                   {"filled", true},
                   {"clip", true},
                   {"opacity", crowded ? 0.35 : 0.7},
-                  {"size", crowded ? 14 : 36},
+                  {"size", crowded            ? 14
+                           : rows.size() > 50 ? 36
+                                              : 110},
                   {"tooltip", true}};
   spec["encoding"] = {{"x", parts::quantity("x", x)},
                       {"y", parts::quantity("y", y)},
-                      {"color", parts::colour(names, palette)},
+                      {"color", parts::colour(names, palette, style)},
                       {"shape", std::move(shape)}};
-  spec["encoding"]["x"]["axis"] = {{"grid", true}};
+  spec["encoding"]["x"]["axis"]["grid"] = true;
   spec["data"] = {{"values", std::move(rows)}};
   return spec;
 }
@@ -224,7 +242,7 @@ json bar_chart(std::span<const Bar> bars, const Axis& y, const Palette& palette,
   }
   const double lane_share = 0.8 / static_cast<double>(lanes);
   const json offset = {{"expr", fmt::format("datum.lane * bandwidth('x') * {}", lane_share)}};
-  json colours = parts::colour(series, palette);
+  json colours = parts::colour(series, palette, style);
   if (single) colours["legend"] = nullptr;
   Axis from_zero = y;
   from_zero.from_zero = true;

@@ -22,11 +22,13 @@ struct Axis {
   std::string unit = {};             ///< shown after the title
   std::optional<Range> limits = {};  ///< else from the data
   bool from_zero = false;            ///< else the data's own range
+  bool log = false;                  ///< logarithmic; values that are not positive are left out
 };
 
 struct ChartStyle {
   int height_px = 240;
   std::string title = {};
+  int legend_columns = 0;  ///< 0: all names in one row; set it where that would be too long
 };
 
 /// A named line. `low` and `high`, if given, draw a band around it; all are as long as `x`.

@@ -82,7 +82,7 @@ json histogram(std::span<const Sample> samples, const Axis& x, int bins, const P
   share["stack"] = nullptr;
   spec["encoding"] = {{"x", parts::quantity("from", own)},
                       {"y", std::move(share)},
-                      {"color", parts::colour(names_of(samples), palette)}};
+                      {"color", parts::colour(names_of(samples), palette, style)}};
   return spec;
 }
 
@@ -113,7 +113,7 @@ json distribution_chart(std::span<const Sample> samples, const Axis& x, const Pa
                      {"count", sorted.size()}});
   }
   const std::vector<std::string> names = names_of(samples);
-  json colours = parts::colour(names, palette);
+  json colours = parts::colour(names, palette, style);
   colours["legend"] = nullptr;  // the rows are named already
   const auto number = [](const char* field, const char* title) {
     return json{{"field", field}, {"type", "quantitative"}, {"title", title}, {"format", ".4~g"}};

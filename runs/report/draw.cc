@@ -8,11 +8,11 @@
 
 #include "core/check.h"
 #include "runs/report/canvas.h"
+#include "runs/report/marker.h"
 
 namespace pacer::report {
 namespace {
 
-constexpr int kShift = 3;   // OpenCV draws at an eighth of a pixel
 constexpr int kStrip = 56;  // height of the strip above a picture
 
 const cv::Scalar kGreen(63, 201, 116);
@@ -20,97 +20,11 @@ const cv::Scalar kBlue(84, 160, 240);
 const cv::Scalar kRail(58, 66, 78);
 const cv::Scalar kSoft(160, 170, 184);
 
-cv::Scalar colour_of(Tone tone) {
-  switch (tone) {
-    case Tone::kMatched:
-      return kGreen;
-    case Tone::kTarget:
-      return {255, 159, 28};
-    case Tone::kIgnored:
-      return {150, 156, 166};
-    case Tone::kNeutral:
-      break;
-  }
-  return {245, 247, 250};
-}
-
-/// Marks of a frame on the magnified picture: each twice, first its rim, wider and dark.
-class Marker {
- public:
-  Marker(cv::Mat& image, int scale)
-      : image_(image),
-        scale_(scale),
-        reach_(4.0F * static_cast<float>(std::max(image.cols, image.rows))) {}
-
-  void line(const LineMark& mark) {
-    if (!shown(mark.from) || !shown(mark.to)) return;
-    stroke(mark.tone, [&](const cv::Scalar& colour, int width) {
-      cv::line(image_, fixed(mark.from), fixed(mark.to), colour, width, cv::LINE_AA, kShift);
-    });
-  }
-
-  void box(const BoxMark& mark) {
-    if (!shown(mark.low) || !shown(mark.high)) return;
-    stroke(mark.tone, [&](const cv::Scalar& colour, int width) {
-      cv::rectangle(image_, fixed(mark.low), fixed(mark.high), colour, width, cv::LINE_AA, kShift);
-    });
-  }
-
-  void point(const PointMark& mark) {
-    if (!shown(mark.at) || !std::isfinite(mark.radius)) return;
-    const float radius = std::clamp(mark.radius * static_cast<float>(scale_), 2.5F, reach_);
-    const int fixed_radius = static_cast<int>(std::lround(radius * (1 << kShift)));
-    if (radius < 4.0F) {  // too small for a ring: a dot
-      cv::circle(image_, fixed(mark.at), fixed_radius + (3 << (kShift - 1)), canvas::kShadow,
-                 cv::FILLED, cv::LINE_AA, kShift);
-      cv::circle(image_, fixed(mark.at), fixed_radius, colour_of(mark.tone), cv::FILLED,
-                 cv::LINE_AA, kShift);
-      return;
-    }
-    stroke(mark.tone, [&](const cv::Scalar& colour, int width) {
-      cv::circle(image_, fixed(mark.at), fixed_radius, colour, width, cv::LINE_AA, kShift);
-    });
-  }
-
- private:
-  [[nodiscard]] bool shown(PixelPoint at) const {
-    const auto inside = [this](float value) {
-      return std::isfinite(value) && std::abs(value) * static_cast<float>(scale_) <= reach_;
-    };
-    return inside(at.x) && inside(at.y);
-  }
-
-  /// From pixel centres of the frame to OpenCV's fixed-point pixel centres of the picture.
-  [[nodiscard]] cv::Point fixed(PixelPoint at) const {
-    const auto one = [this](float value) {
-      const double moved = (static_cast<double>(value) + 0.5) * scale_ - 0.5;
-      return static_cast<int>(std::lround(moved * (1 << kShift)));
-    };
-    return {one(at.x), one(at.y)};
-  }
-
-  template <class Stroke>
-  void stroke(Tone tone, const Stroke& stroke_once) {
-    const int width = tone == Tone::kIgnored || tone == Tone::kNeutral ? 1 : 2;
-    stroke_once(canvas::kShadow, width + 2);
-    stroke_once(colour_of(tone), width);
-  }
-
-  cv::Mat& image_;
-  int scale_;
-  float reach_;  // picture pixels; OpenCV's fixed point overflows far beyond
-};
-
 void draw_marks(cv::Mat& picture, const Annotations& annotations, int scale) {
-  Marker marker(picture, scale);
-  for (const LineMark& mark : annotations.lines) marker.line(mark);
-  for (const BoxMark& mark : annotations.boxes) marker.box(mark);
-  // The ones that matter come last, on top.
-  for (const PointMark& mark : annotations.points) {
-    if (mark.tone == Tone::kIgnored) marker.point(mark);
-  }
-  for (const PointMark& mark : annotations.points) {
-    if (mark.tone != Tone::kIgnored) marker.point(mark);
+  Marker(picture, scale).marks(annotations);
+  if (!annotations.patches.empty()) {
+    const int height = std::min(96, picture.rows / 4);
+    draw_patches(annotations.patches, picture.rowRange(picture.rows - height, picture.rows));
   }
   canvas::text(picture, annotations.label, {10, 24},
                {.height_px = 13, .most_width_px = picture.cols - 20, .outlined = true});

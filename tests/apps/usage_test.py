@@ -5,7 +5,7 @@ import subprocess
 
 from pacer_command import BAD_USAGE, COMMAND, SCENARIO, CommandTest, main, run
 
-COMMANDS = ["collect", "train", "evaluate", "drive", "inspect", "study", "doctor"]
+COMMANDS = ["collect", "train", "evaluate", "drive", "sequences", "track", "inspect", "study", "doctor"]
 
 
 class Usage(CommandTest):
@@ -93,6 +93,21 @@ class Usage(CommandTest):
         line = self.refusal("study", "nothing", "--scenario", SCENARIO, status=BAD_USAGE)
         self.assertIn("nothing", line)
         self.assertIn("following", line)
+
+    def test_pictures_that_are_not_there_are_named(self):
+        empty = self.scratch / "empty"
+        empty.mkdir()
+        for folder in [empty, self.scratch / "missing"]:
+            line = self.refusal("study", "convergence", "--scenario", SCENARIO, "--images", folder,
+                                status=BAD_USAGE)
+            self.assertIn(str(folder), line)
+
+    def test_a_picture_that_is_none_is_named(self):
+        file = self.scratch / "picture.png"
+        file.write_text("no picture")
+        line = self.refusal("study", "weighting", "--scenario", SCENARIO, "--images", self.scratch,
+                            status=1)
+        self.assertIn(str(file), line)
 
     def test_a_written_out_scenario_is_the_same_scenario(self):
         whole = self.pacer("inspect", SCENARIO, "--set", "simulated.duration_s=7",

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <opencv2/core.hpp>
 #include <opencv2/tracking.hpp>
 #include <opencv2/tracking/tracking_legacy.hpp>
+#include <optional>
 
-#include "core/random.h"
+#include "learning/tracking/peers/fresh_generators.h"
 #include "learning/tracking/peers/peer.h"
 
 namespace pacer::tracking {
@@ -66,21 +66,20 @@ struct Library {
 
 class OpencvPeer final : public Peer {
  public:
-  OpencvPeer(const Library& library, std::uint64_t seed)
-      : library_(library), seed_(seed), chance_(seed) {}
+  explicit OpencvPeer(const Library& library) : library_(library) {}
 
  private:
   bool start_library(const Picture& picture, const cv::Rect& target) override {
     if (!library_.fits(target, picture.grey.size())) return false;
+    generators_.emplace();
+    const FreshGenerators::Loan loan(*generators_);
     tracker_ = library_.make();
-    chance_ = Random(seed_).fork("peer");
-    set_generators();
     return tracker_->init(input(picture), target);
   }
 
   bool update_library(const Picture& picture, Box& target) override {
+    const FreshGenerators::Loan loan(*generators_);
     cv::Rect2d found;
-    set_generators();
     if (!tracker_->update(input(picture), found)) return false;
     target = Box::of_pixels(found.x, found.y, found.width, found.height);
     return true;
@@ -91,26 +90,16 @@ class OpencvPeer final : public Peer {
     return picture.bgr;
   }
 
-  /// OpenCV's trackers draw from rand() and cv::theRNG(), which the whole process shares and from
-  /// which nothing of ours draws. Set anew for each call, they give every tracker its own stream,
-  /// whatever ran in between.
-  void set_generators() {
-    std::srand(static_cast<unsigned>(chance_.next()));
-    cv::theRNG().state = chance_.next();
-  }
-
   Library library_;
-  std::uint64_t seed_;
-  Random chance_;
+  std::optional<FreshGenerators> generators_;
   cv::Ptr<cv::legacy::Tracker> tracker_;
 };
 
 template <class Kind>
 std::unique_ptr<Tracker> make_peer(Input input,
-                                   bool (*fits)(const cv::Rect& target, const cv::Size& picture),
-                                   std::uint64_t seed) {
+                                   bool (*fits)(const cv::Rect& target, const cv::Size& picture)) {
   const auto make = []() -> cv::Ptr<cv::legacy::Tracker> { return Kind::create(); };
-  return std::make_unique<OpencvPeer>(Library{.make = make, .input = input, .fits = fits}, seed);
+  return std::make_unique<OpencvPeer>(Library{.make = make, .input = input, .fits = fits});
 }
 
 }  // namespace
@@ -119,26 +108,26 @@ namespace legacy = cv::legacy;
 
 // Boosting and TLD make grey of what they are given, but take colour only. MIL reads the first
 // channel, blue: people hand it colour. MOSSE and MedianFlow work on grey.
-std::unique_ptr<Tracker> make_boosting(std::uint64_t seed) {
-  return make_peer<legacy::TrackerBoosting>(Input::kColour, fits_haar, seed);
+std::unique_ptr<Tracker> make_boosting(std::uint64_t /*seed*/) {
+  return make_peer<legacy::TrackerBoosting>(Input::kColour, fits_haar);
 }
-std::unique_ptr<Tracker> make_mil(std::uint64_t seed) {
-  return make_peer<legacy::TrackerMIL>(Input::kColour, fits_mil, seed);
+std::unique_ptr<Tracker> make_mil(std::uint64_t /*seed*/) {
+  return make_peer<legacy::TrackerMIL>(Input::kColour, fits_mil);
 }
-std::unique_ptr<Tracker> make_kcf(std::uint64_t seed) {
-  return make_peer<legacy::TrackerKCF>(Input::kColour, fits_any, seed);
+std::unique_ptr<Tracker> make_kcf(std::uint64_t /*seed*/) {
+  return make_peer<legacy::TrackerKCF>(Input::kColour, fits_any);
 }
-std::unique_ptr<Tracker> make_csrt(std::uint64_t seed) {
-  return make_peer<legacy::TrackerCSRT>(Input::kColour, fits_any, seed);
+std::unique_ptr<Tracker> make_csrt(std::uint64_t /*seed*/) {
+  return make_peer<legacy::TrackerCSRT>(Input::kColour, fits_any);
 }
-std::unique_ptr<Tracker> make_mosse(std::uint64_t seed) {
-  return make_peer<legacy::TrackerMOSSE>(Input::kGrey, fits_any, seed);
+std::unique_ptr<Tracker> make_mosse(std::uint64_t /*seed*/) {
+  return make_peer<legacy::TrackerMOSSE>(Input::kGrey, fits_any);
 }
-std::unique_ptr<Tracker> make_median_flow(std::uint64_t seed) {
-  return make_peer<legacy::TrackerMedianFlow>(Input::kGrey, fits_any, seed);
+std::unique_ptr<Tracker> make_median_flow(std::uint64_t /*seed*/) {
+  return make_peer<legacy::TrackerMedianFlow>(Input::kGrey, fits_any);
 }
-std::unique_ptr<Tracker> make_tld(std::uint64_t seed) {
-  return make_peer<legacy::TrackerTLD>(Input::kColour, fits_tld, seed);
+std::unique_ptr<Tracker> make_tld(std::uint64_t /*seed*/) {
+  return make_peer<legacy::TrackerTLD>(Input::kColour, fits_tld);
 }
 
 }  // namespace pacer::tracking

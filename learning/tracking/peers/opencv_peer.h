@@ -8,6 +8,7 @@
 
 namespace pacer::tracking {
 
+// OpenCV 4.6's trackers. They draw as in a program of their own: every seed gives the same tracks.
 [[nodiscard]] std::unique_ptr<Tracker> make_boosting(std::uint64_t seed);
 [[nodiscard]] std::unique_ptr<Tracker> make_mil(std::uint64_t seed);
 [[nodiscard]] std::unique_ptr<Tracker> make_kcf(std::uint64_t seed);

@@ -16,8 +16,8 @@ namespace pacer::tracking {
 /// it, and once its library has failed, it is lost until it is started again. What it reports is
 /// found or lost: a confidence of 1 or 0.
 ///
-/// OpenCV's draw on generators of the whole process, which are set anew before every call: their
-/// tracks repeat, one after another or in turns, unless two threads run them at once.
+/// Every seed gives the same tracks: OpenCV's draw from generators of the whole process, which are
+/// lent to them as they are when a program starts. Run OpenCV's on one thread at a time.
 [[nodiscard]] const std::vector<TrackerKind>& peers();
 
 }  // namespace pacer::tracking

@@ -17,6 +17,11 @@ namespace pacer::tracking {
   return names;
 }
 
+/// Of the thesis's trackers that follow positions alone, and never give up.
+[[nodiscard]] inline std::vector<std::string> thesis_names() {
+  return {"LK", "LK-SMAT", "LP-FLOCK", "LP-SMAT", "LP-MED"};
+}
+
 [[nodiscard]] inline std::unique_ptr<Tracker> make_tracker(const std::string& name,
                                                            std::uint64_t seed = 1) {
   return std::ranges::find(trackers(), name, &TrackerKind::name)->make(seed);

@@ -36,6 +36,27 @@ TEST(LineChart, GivesEachPolicyItsColour) {
             json({palette.colour("teacher"), palette.colour("ours")}));
 }
 
+TEST(LineChart, BreaksALongLegendIntoRows) {
+  const std::vector<Series> series = {{.name = "a", .x = {0}, .y = {2}},
+                                      {.name = "b", .x = {0}, .y = {2}, .dashed = true}};
+  const json one = line_chart(series, kTime, kDistance, Palette());
+  const json rows = line_chart(series, kTime, kDistance, Palette(), {.legend_columns = 3});
+  for (const char* channel : {"color", "strokeDash"}) {  // unlike, they would be two legends
+    EXPECT_FALSE(one["layer"][0]["encoding"][channel].contains("legend"));
+    EXPECT_EQ(rows["layer"][0]["encoding"][channel]["legend"]["columns"], 3);
+  }
+}
+
+TEST(ScatterChart, ALogarithmicAxisIsMarkedAtPowersOfTen) {
+  const std::vector<Cloud> clouds = {{.name = "a", .x = {3.0, 20000.0}, .y = {1.0, 2.0}}};
+  const json spec = scatter_chart(clouds, {.title = "speed", .log = true}, kDistance, Palette());
+  const json& across = spec["encoding"]["x"];
+  EXPECT_EQ(across["scale"]["type"], "log");
+  EXPECT_THAT(across["axis"]["values"].get<std::vector<double>>(), ::testing::Contains(1000.0));
+  EXPECT_EQ(across["axis"]["grid"], true);
+  EXPECT_FALSE(spec["encoding"]["y"]["scale"].contains("type"));
+}
+
 TEST(LineChart, RejectsSeriesOfUnequalLength) {
   const std::vector<Series> series = {{.name = "a", .x = {0, 1}, .y = {2}}};
   EXPECT_THROW((void)line_chart(series, kTime, kDistance, Palette()), std::invalid_argument);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pacer::report {
@@ -28,6 +30,17 @@ TEST(Palette, PoliciesOfOnePageDiffer) {
 TEST(Palette, ANameGivenTwiceTakesOneColour) {
   const Palette palette(std::vector<std::string>{"a", "a", "b"});
   EXPECT_EQ(palette.colour("b"), Palette(std::vector<std::string>{"a", "b"}).colour("b"));
+}
+
+TEST(Palette, GradedColoursGoFromBlueToRedAndAllDiffer) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 10; ++i) names.push_back(std::to_string(i));
+  const Palette palette = Palette::graded(names);
+  std::set<std::string_view> colours;
+  for (const std::string& name : names) colours.insert(palette.colour(name));
+  EXPECT_EQ(colours.size(), names.size());
+  EXPECT_EQ(palette.colour("0"), "#364B9A");
+  EXPECT_EQ(palette.colour("9"), "#A50026");
 }
 
 }  // namespace

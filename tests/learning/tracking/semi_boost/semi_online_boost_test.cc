@@ -11,7 +11,7 @@ INSTANTIATE_TEST_SUITE_P(
         .name = "Semi-Online-Boost", .about = "", .make = tracking::make_semi_online_boost}),
     tracker_name);
 
-/// A textured square, shown where it is wanted on a texture that stands still.
+/// A textured square, shown where it is wanted on a fainter texture that stands still.
 class SemiOnlineBoost : public TrackerContract {
  protected:
   tracking::Picture shown_at(int left, int top) const {
@@ -20,6 +20,8 @@ class SemiOnlineBoost : public TrackerContract {
     return picture_of(image);
   }
   tracking::Picture hidden() const { return picture_of(background_); }
+
+  void SetUp() override { cv::normalize(background_, background_, 100, 150, cv::NORM_MINMAX); }
 
   cv::Mat3b background_ = texture(160, 120, 21);
   cv::Mat3b square_ = texture(36, 36, 22);

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/tracking/cascade_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace pacer::tracking {
+namespace {
+
+constexpr int kAspectSide = 64;  // samples
+constexpr double kRoom = 1.15;   // of a region around a long target
+constexpr double kSlack = 1.3;   // of the pyramid: the target may move before it is looked at again
+constexpr double kLeastScale = 0.1;
+constexpr double kMostScale = 10.0;
+
+/// `pose`, with its middle in the image.
+Similarity inside(const cv::Mat1b& image, Similarity pose) {
+  pose.x = std::clamp(pose.x, 0.0, image.cols - 1.0);
+  pose.y = std::clamp(pose.y, 0.0, image.rows - 1.0);
+  return pose;
+}
+
+Similarity rescaled(Similarity pose, double by) {
+  pose.scale = std::clamp(pose.scale * by, kLeastScale, kMostScale);
+  return pose;
+}
+
+}  // namespace
+
+void CascadeConfig::validate() const {
+  require(search_side >= 1.5 && search_side <= 10.0, "search_side must be 1.5 to 10");
+  require(aspect_side >= 1.0 && aspect_side <= 4.0, "aspect_side must be 1 to 4");
+  filter.validate();
+  predictor.validate();
+  memory.validate();
+  require(rounds >= 1 && rounds <= 20, "rounds must be 1 to 20");
+  require(gain > 0.0 && gain <= 1.0, "gain must be above 0, and 1 at most");
+  require(better >= 0.0, "better must not be negative");
+  require(rescale > 1.0 && rescale <= 2.0, "rescale must be above 1, and 2 at most");
+  require(habit > 0.0 && habit <= 1.0, "habit must be above 0, and 1 at most");
+  require(lost_below >= 0.0 && lost_below < 1.0, "lost_below must be 0 to 1");
+  require(patience >= 0, "patience must not be negative");
+  require(probes >= 1, "probes must be 1 or more");
+  require(recognised >= 0.0, "recognised must not be negative");
+  require(rate > 0.0 && rate <= 1.0, "rate must be above 0, and 1 at most");
+  require(unlike < alike && alike <= 1.0, "unlike must lie below alike, and alike at 1 at most");
+  require(new_aspect_above < new_aspect_below, "new_aspect_above must lie below new_aspect_below");
+}
+
+CascadeTracker::CascadeTracker(const CascadeConfig& config, std::uint64_t seed)
+    : config_(config),
+      random_(Random(seed).fork("cascade")),
+      memory_(config.memory),
+      search_patch_(GradientFeatures::kSide),
+      aspect_patch_(kAspectSide) {
+  config.validate();
+}
+
+Similarity CascadeTracker::in_samples(const Similarity& pose, double unit) const {
+  Similarity sampled = pose;
+  sampled.scale *= unit;
+  return sampled;
+}
+
+void CascadeTracker::look_around(const cv::Mat1b& image, const Similarity& pose) {
+  const Similarity sampled = in_samples(pose, search_unit_);
+  if (!pyramid_.covers(sampled, search_patch_.side)) {
+    pyramid_.take(image, sampled, search_patch_.side, kSlack);
+  }
+  pyramid_.sample(sampled, search_patch_);
+  features_.describe(search_patch_, spectrum_);
+  transform(spectrum_);
+}
+
+void CascadeTracker::look_at(const cv::Mat1b& image, const Similarity& pose) {
+  const Similarity sampled = in_samples(pose, aspect_unit_);
+  if (!pyramid_.covers(sampled, kAspectSide)) {
+    pyramid_.take(image, sampled, kAspectSide, kSlack);
+  }
+  pyramid_.sample(sampled, aspect_patch_);
+}
+
+void CascadeTracker::begin(const Picture& picture, const Box& target) {
+  width_ = target.width;
+  height_ = target.height;
+  pose_ = {.x = target.x, .y = target.y, .scale = 1.0, .angle = 0.0};
+  const double side = std::sqrt(target.area());
+  const double longest = kRoom * std::max(width_, height_);
+  search_unit_ = std::max(config_.search_side * side, longest) / GradientFeatures::kSide;
+  aspect_unit_ = std::max(config_.aspect_side * side, longest) / kAspectSide;
+
+  const double cell = search_unit_ * GradientFeatures::kCell;
+  filter_.emplace(config_.filter, width_ / cell, height_ / cell);
+  trainer_.emplace(config_.predictor, width_ / aspect_unit_, height_ / aspect_unit_, random_);
+  pyramid_.forget();
+  look_around(picture.grey, pose_);
+  filter_->learn(spectrum_, 1.0);
+  usual_ = filter_->locate(spectrum_).value;
+  look_at(picture.grey, pose_);
+  memory_.clear(config_.predictor.side * config_.predictor.side);
+  memory_.remember(*trainer_, aspect_patch_, 0);
+  matched_ = 0;
+  likeness_ = 1.0F;
+  doubtful_ = 0;
+  lost_ = false;
+  place_ = 0;
+}
+
+PoseChange CascadeTracker::refine() {
+  PoseChange change = PoseChange::Zero();
+  trainer_->observe(aspect_patch_, change, seen_);
+  matched_ = memory_.match(seen_);
+  const Aspect& aspect = memory_[matched_];
+  likeness_ = aspect.likeness(seen_);
+  PoseChange best = change;
+  for (int round = 0; round < config_.rounds; ++round) {
+    change += trainer_->predict(aspect, seen_);
+    trainer_->observe(aspect_patch_, change, seen_);
+    const float likeness = aspect.likeness(seen_);
+    if (likeness > likeness_) {
+      likeness_ = likeness;
+      best = change;
+    }
+  }
+  return best;
+}
+
+CascadeTracker::Sighting CascadeTracker::locate(const cv::Mat1b& image, const Similarity& pose) {
+  look_around(image, pose);
+  const Peak peak = filter_->locate(spectrum_);
+  const double cell = search_unit_ * GradientFeatures::kCell;
+  return {.pose = inside(image, pose.moved(peak.x * cell, peak.y * cell)), .answer = peak.value};
+}
+
+double CascadeTracker::trust() const {
+  const double likeness = static_cast<double>(likeness_);
+  return std::clamp((likeness - config_.unlike) / (config_.alike - config_.unlike), 0.0, 1.0);
+}
+
+void CascadeTracker::settle(const cv::Mat1b& image, const Sighting& found) {
+  look_at(image, found.pose);
+  const PoseChange change = refine() * static_cast<float>(trust());
+  const Similarity moved =
+      inside(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
+                                     static_cast<double>(change[kDown]) * aspect_unit_));
+  if (static_cast<double>(likeness_) < config_.unlike) {
+    // No aspect that is known: the filter looks for it larger and smaller.
+    Sighting best = found;
+    for (const double step : {1.0 / config_.rescale, config_.rescale}) {
+      const Sighting other = locate(image, rescaled(moved, step));
+      if (other.answer > best.answer) best = other;
+    }
+    pose_ = best.pose;
+    look_around(image, pose_);
+    return;
+  }
+  pose_ = rescaled(moved, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
+  pose_.angle += config_.gain * static_cast<double>(change[kAngle]);
+  // The filter, which knows the background too, has to like the change.
+  if (locate(image, pose_).answer < config_.better * found.answer) {
+    pose_ = moved;
+    look_around(image, pose_);
+  }
+}
+
+void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
+  const double stride = 0.5 * search_unit_ * pose_.scale * GradientFeatures::kSide;
+  const auto columns = static_cast<std::size_t>(std::ceil(image.cols / stride));
+  const auto rows = static_cast<std::size_t>(std::ceil(image.rows / stride));
+  for (int probe = 0; probe < config_.probes; ++probe) {
+    place_ = (place_ + 1) % (columns * rows);
+    Similarity there = pose_;
+    there.x = (static_cast<double>(place_ % columns) + 0.5) * stride;
+    there.y = (static_cast<double>(place_ / columns) + 0.5) * stride;
+    const Sighting found = locate(image, inside(image, there));
+    if (found.answer < config_.recognised * usual_) continue;
+    look_at(image, found.pose);
+    (void)refine();
+    if (static_cast<double>(likeness_) < config_.alike) continue;
+    pose_ = found.pose;
+    return;
+  }
+}
+
+void CascadeTracker::learn(const cv::Mat1b& image, double answer) {
+  if (trust() > 0.0) filter_->learn(spectrum_, config_.rate * trust());
+  const double likeness = static_cast<double>(likeness_);
+  if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above &&
+      answer > config_.recognised * usual_) {
+    look_at(image, pose_);
+    memory_.remember(*trainer_, aspect_patch_, matched_);
+  }
+}
+
+double CascadeTracker::judge(double answer) {
+  const double evidence = config_.bias + config_.by_likeness * static_cast<double>(likeness_);
+  const double confidence = 1.0 / (1.0 + std::exp(-evidence));
+  usual_ += config_.habit * trust() * (answer - usual_);
+  doubtful_ = confidence < config_.lost_below ? doubtful_ + 1 : 0;
+  lost_ = doubtful_ > config_.patience;
+  return lost_ ? 0.0 : confidence;
+}
+
+Track CascadeTracker::follow(const Picture& picture) {
+  const cv::Mat1b& image = picture.grey;
+  pyramid_.forget();
+  if (lost_) look_elsewhere(image);
+  const Sighting found = locate(image, pose_);  // the longest range: wherever it went
+  settle(image, found);                         // the shorter ones: position, scale, rotation
+  learn(image, found.answer);
+  const double confidence = judge(found.answer);
+  return {.box = {.x = pose_.x,
+                  .y = pose_.y,
+                  .width = width_ * pose_.scale,
+                  .height = height_ * pose_.scale},
+          .confidence = confidence};
+}
+
+void CascadeTracker::annotate(Annotations& annotations) const {
+  const auto side = static_cast<int>(std::sqrt(static_cast<double>(seen_.size())));
+  for (std::size_t i = 0; i < memory_.size(); ++i) {
+    PatchMark patch{.size = {side, side}, .grey = {}, .tone = Tone::kNeutral};
+    const Eigen::VectorXf& reference = memory_[i].reference;
+    const float low = reference.minCoeff();
+    const float span = std::max(reference.maxCoeff() - low, 1e-6F);
+    for (const float value : reference) {
+      patch.grey.push_back(static_cast<std::uint8_t>(255.0F * (value - low) / span));
+    }
+    if (i == matched_) patch.tone = Tone::kMatched;
+    annotations.patches.push_back(std::move(patch));
+  }
+}
+
+}  // namespace pacer::tracking

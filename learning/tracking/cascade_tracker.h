@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "learning/tracking/appearance.h"
+#include "learning/tracking/appearance_memory.h"
+#include "learning/tracking/correlation_filter.h"
+#include "learning/tracking/gradient_features.h"
+#include "learning/tracking/patch.h"
+#include "learning/tracking/tracker.h"
+
+namespace pacer::tracking {
+
+/// The tracker beyond the thesis's. Lengths are in sides of the target, the root of its area.
+struct CascadeConfig {
+  double search_side = 4.0;  ///< of the region that the filter looks at
+  double aspect_side = 1.8;  ///< of the region that aspects are observed in
+  CorrelationFilterConfig filter;
+  PosePredictorConfig predictor;
+  AppearanceMemoryConfig memory;
+  int rounds = 2;             ///< of the pose predictor in a frame
+  double gain = 0.7;          ///< share of a change of scale or angle that is followed at once
+  double unlike = 0.5;        ///< likeness at which an aspect's predictor counts for nothing
+  double alike = 0.85;        ///< likeness from which on it counts in full
+  double better = 1.01;       ///< by which the filter must answer more for such a change to stand
+  double rescale = 1.05;      ///< steps of scale in which it is looked for where it is not alike
+  double rate = 0.02;         ///< share of a new picture in the filter's memory
+  double habit = 0.1;         ///< share of a new answer of the filter in what it usually answers
+  double bias = -2.15;        ///< confidence is 1 / (1 + exp(-(bias + by_likeness likeness))):
+  double by_likeness = 4.19;  ///< how often, over ten sequences, half of the box was right
+  double lost_below = 0.3;    ///< confidence below which it may be lost
+  int patience = 15;          ///< pictures in a row below it after which it is
+  int probes = 2;  ///< places of the picture, one after another, that are searched while lost
+  double recognised = 0.6;  ///< of its usual answer that the filter must give where an aspect is
+                            ///< learnt, and where a lost target is found again
+  double new_aspect_below = 0.65;  ///< likeness below which a new aspect is learnt
+  double new_aspect_above = 0.5;   ///< but not below this one: it may be something else
+
+  /// Throws std::invalid_argument, naming section and field.
+  void validate() const;
+
+  template <class Visitor>
+  void fields(Visitor&& visit) {
+    visit("search_side", search_side);
+    visit("aspect_side", aspect_side);
+    visit("filter", filter);
+    visit("predictor", predictor);
+    visit("memory", memory);
+    visit("rounds", rounds);
+    visit("gain", gain);
+    visit("unlike", unlike);
+    visit("alike", alike);
+    visit("better", better);
+    visit("rescale", rescale);
+    visit("rate", rate);
+    visit("habit", habit);
+    visit("bias", bias);
+    visit("by_likeness", by_likeness);
+    visit("lost_below", lost_below);
+    visit("patience", patience);
+    visit("probes", probes);
+    visit("recognised", recognised);
+    visit("new_aspect_below", new_aspect_below);
+    visit("new_aspect_above", new_aspect_above);
+  }
+};
+
+/// LP-CASCADE: predictors of several ranges in sequence. A correlation filter over the region
+/// around the target finds it wherever it went; the affine predictor of the aspect that is seen
+/// then finds its position to a fraction of a pixel, its scale and its rotation.
+class CascadeTracker final : public Tracker {
+ public:
+  /// Throws std::invalid_argument for a config that makes no sense.
+  CascadeTracker(const CascadeConfig& config, std::uint64_t seed);
+
+  void annotate(Annotations& annotations) const override;
+
+ private:
+  void begin(const Picture& picture, const Box& target) override;
+  [[nodiscard]] Track follow(const Picture& picture) override;
+
+  /// `pose_` in pixels a sample of a patch whose samples are `unit` apart on the first target.
+  [[nodiscard]] Similarity in_samples(const Similarity& pose, double unit) const;
+  /// Features of the region around `pose`, transformed, in `spectrum_`.
+  void look_around(const cv::Mat1b& image, const Similarity& pose);
+  /// The target itself at `pose`, in `aspect_patch_`.
+  void look_at(const cv::Mat1b& image, const Similarity& pose);
+  /// Where the filter finds the target in the region around `pose`, and how well.
+  struct Sighting {
+    Similarity pose;
+    double answer = 0.0;  ///< of the filter
+  };
+  [[nodiscard]] Sighting locate(const cv::Mat1b& image, const Similarity& pose);
+  /// By how much the aspect's predictor, where that makes it more alike, would change the pose.
+  [[nodiscard]] PoseChange refine();
+  /// How far what the aspect says is to be believed, in [0, 1].
+  [[nodiscard]] double trust() const;
+  /// From where the filter found the target to its pose, by predictors of shorter ranges.
+  void settle(const cv::Mat1b& image, const Sighting& found);
+  /// Looks for a lost target in the next places of the picture; `pose_` is there if it is found.
+  void look_elsewhere(const cv::Mat1b& image);
+  /// Takes the picture into the filter's memory, and a new aspect, where the filter's answer says
+  /// that it is the target's, into that of aspects.
+  void learn(const cv::Mat1b& image, double answer);
+  /// How probable it is that the box is right, in (0, 1), or 0 when the target is lost.
+  [[nodiscard]] double judge(double answer);
+
+  CascadeConfig config_;
+  Random random_;
+
+  double width_ = 0.0, height_ = 0.0;  // of the first target, pixels
+  double search_unit_ = 1.0;           // pixels from sample to sample of search_patch_
+  double aspect_unit_ = 1.0;           // and of aspect_patch_
+  Similarity pose_;                    // of the target; scale 1 is the first one's
+  std::optional<CorrelationFilter> filter_;
+  std::optional<AspectTrainer> trainer_;
+  AppearanceMemory memory_;
+
+  RegionPyramid pyramid_;
+  Patch search_patch_;
+  Patch aspect_patch_;
+  GradientFeatures features_;
+  FeatureMap spectrum_;
+  Eigen::VectorXf seen_;
+  std::size_t matched_ = 0;  // aspect
+  double usual_ = 1.0;       // answer of the filter
+  int doubtful_ = 0;         // pictures in a row
+  bool lost_ = false;
+  std::size_t place_ = 0;  // that is searched next
+  float likeness_ = 1.0F;  // of what is seen with it
+};
+
+}  // namespace pacer::tracking

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/tracking/correlation_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "core/check.h"
+
+namespace pacer::tracking {
+namespace {
+
+constexpr std::size_t kCells = kGrid * kGrid;
+
+/// The cells [first, last) around the middle of a side that hold `size` cells.
+std::pair<std::size_t, std::size_t> middle(double size) {
+  constexpr double kMiddle = 0.5 * static_cast<double>(kGrid);
+  const double first = std::clamp(std::floor(kMiddle - 0.5 * size), 0.0, kMiddle - 1.0);
+  const double last = std::clamp(std::ceil(kMiddle + 0.5 * size), kMiddle + 1.0, 2.0 * kMiddle);
+  return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
+}
+
+/// exp(-d^2 / 2 spread^2) at a displacement that wraps around.
+double bell(std::size_t at, double spread) {
+  const double d = static_cast<double>(std::min(at, kGrid - at));
+  return std::exp(-0.5 * d * d / (spread * spread));
+}
+
+/// Of a peak between its neighbours: how far off the parabola's top is, and how much higher.
+struct Top {
+  double offset = 0.0;
+  double rise = 0.0;
+};
+Top top_of(float before, float at, float after) {
+  const double slope = 0.5 * (static_cast<double>(after) - static_cast<double>(before));
+  const double curve =
+      static_cast<double>(before) - 2.0 * static_cast<double>(at) + static_cast<double>(after);
+  if (curve >= 0.0) return {};
+  const double offset = std::clamp(-slope / curve, -0.5, 0.5);
+  return {.offset = offset, .rise = offset * (slope + 0.5 * curve * offset)};
+}
+
+double displacement(std::size_t index) {
+  const auto shift = static_cast<double>(index);
+  return index < kGrid / 2 ? shift : shift - static_cast<double>(kGrid);
+}
+
+}  // namespace
+
+void CorrelationFilterConfig::validate() const {
+  require(spread > 0.0 && spread <= 1.0, "spread must be above 0, and 1 at most");
+  require(ridge >= 0.0, "ridge must not be negative");
+  require(penalty > 0.0, "penalty must be above 0");
+  require(tightening >= 1.0, "tightening must be 1 or more");
+}
+
+CorrelationFilter::CorrelationFilter(const CorrelationFilterConfig& config, double width,
+                                     double height)
+    : config_(config) {
+  config.validate();
+  std::tie(support_.first_column, support_.last_column) = middle(width);
+  std::tie(support_.first_row, support_.last_row) = middle(height);
+  const double spread = std::max(0.5, config.spread * std::sqrt(width * height));
+  FeatureMap wanted;
+  for (std::size_t r = 0; r < kGrid; ++r) {
+    for (std::size_t c = 0; c < kGrid; ++c) {
+      wanted.at(r, c).re[0] = static_cast<float>(bell(r, spread) * bell(c, spread));
+    }
+  }
+  transform(wanted);
+  for (std::size_t i = 0; i < kCells; ++i) {
+    wanted_[i] = wanted.at(i / kGrid, i % kGrid).re[0];
+  }
+}
+
+void CorrelationFilter::learn(const FeatureMap& spectrum, double rate) {
+  blend(memory_, spectrum, static_cast<float>(rate));
+  solve();
+}
+
+void CorrelationFilter::solve() {
+  // ADMM on the filter g, free, and h, cut to the target, with multipliers zeta. From h = zeta = 0
+  // the first round's g is a multiple of the picture x at each frequency; and in the second round
+  // zeta cancels in h. So g and zeta need not be held at all.
+  const auto count = static_cast<float>(kCells);
+  const auto ridge = static_cast<float>(config_.ridge) / count;
+  const auto first = static_cast<float>(config_.penalty);
+  const float second = first * static_cast<float>(config_.tightening);
+
+  inner_product(memory_, memory_, products_);
+  Plane weight;
+  for (std::size_t i = 0; i < kCells; ++i) {
+    energy_[i] = products_[i].real();
+    weight[i] = wanted_[i] * count / (energy_[i] + count * first);  // g = weight x
+  }
+  multiply(weight, memory_, kept_);
+  transform_back(kept_, support_);
+  scale(kept_, first / (ridge + first), support_);
+  filter_.cells = kept_.cells;
+  transform(filter_, support_);
+
+  inner_product(memory_, filter_, products_);  // x . h
+  for (std::size_t i = 0; i < kCells; ++i) {
+    const std::complex<float> multipliers = first * (weight[i] * energy_[i] - products_[i]);
+    weight[i] = (wanted_[i] - (wanted_[i] * energy_[i] - multipliers + second * products_[i]) /
+                                  (energy_[i] + count * second)) /
+                second;
+  }
+  multiply(weight, memory_, scratch_);
+  transform_back(scratch_, support_);
+  add(kept_, scratch_, support_);
+  scale(kept_, second / (ridge + second), support_);
+  filter_.cells = kept_.cells;
+  transform(filter_, support_);
+}
+
+Peak CorrelationFilter::locate(const FeatureMap& spectrum) {
+  inner_product(filter_, spectrum, products_);
+  transform_back(products_, response_);
+  const auto best =
+      static_cast<std::size_t>(std::ranges::max_element(response_) - response_.begin());
+  const std::size_t r = best / kGrid;
+  const std::size_t c = best % kGrid;
+  const auto at = [&](std::size_t row, std::size_t column) {
+    return response_[row % kGrid * kGrid + column % kGrid];
+  };
+  const Top across = top_of(at(r, c + kGrid - 1), response_[best], at(r, c + 1));
+  const Top down = top_of(at(r + kGrid - 1, c), response_[best], at(r + 1, c));
+  return {.x = displacement(c) + across.offset,
+          .y = displacement(r) + down.offset,
+          .value = static_cast<double>(response_[best]) + across.rise + down.rise};
+}
+
+}  // namespace pacer::tracking

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runs/tracking/choose_trackers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/check.h"
+
+namespace pacer {
+
+using tracking::TrackerKind;
+
+std::vector<TrackerKind> choose_trackers(const std::vector<std::string>& names,
+                                         const std::vector<TrackerKind>& known) {
+  check(!known.empty(), "there is a tracker to choose");
+  if (names.empty()) return {known.front()};
+  if (names == std::vector<std::string>{"all"}) return known;
+  std::vector<TrackerKind> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(known, name, &TrackerKind::name);
+    if (found == known.end()) {
+      std::vector<std::string> there;
+      for (const TrackerKind& kind : known) there.push_back(kind.name);
+      throw UsageError(fmt::format("{}: no such tracker; there are {}, or all of them with all",
+                                   name, fmt::join(there, ", ")));
+    }
+    if (std::ranges::find(chosen, name, &TrackerKind::name) != chosen.end()) {
+      throw UsageError(name + ": is named twice");
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+}  // namespace pacer
