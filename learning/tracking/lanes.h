@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "learning/tracking/processor.h"
 
 /// Vectors for loops that are written once and compiled for each kind of processor. Such a file
@@ -21,5 +24,13 @@ struct alignas(64) ComplexLanes {
 };
 
 #define PACER_INLINE [[gnu::always_inline]] inline
+
+/// Adds lanes up, in an order that does not depend on the processor either.
+PACER_INLINE float sum_of(std::array<float, kLanes> lanes) {
+  for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
+    for (std::size_t i = 0; i < half; ++i) lanes[i] += lanes[i + half];
+  }
+  return lanes[0];
+}
 
 }  // namespace pacer::tracking

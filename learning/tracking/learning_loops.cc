@@ -6,15 +6,14 @@
 #include <cmath>
 #include <utility>
 
+#include "learning/tracking/lanes.h"
+
 #ifdef __x86_64__
 #include <immintrin.h>
 #endif
 
 namespace pacer::tracking {
 namespace {
-
-// The bodies are written once, for each kind of processor and the width of its registers.
-#define PACER_INLINE [[gnu::always_inline]] inline
 
 PACER_INLINE void pair_body(const std::uint8_t* reference, const std::uint8_t* first,
                             const std::uint8_t* second, std::size_t samples, std::int32_t* to) {
@@ -63,7 +62,7 @@ PACER_INLINE void gram_body(const std::int32_t* differences, std::size_t pairs, 
   }
 }
 
-/// kLanes floats in registers of kWidth.
+/// kLanes floats in registers of kWidth: g++ does not do well with vectors that are wider.
 template <std::size_t kWidth>
 struct Floats {
   using Register __attribute__((vector_size(kWidth * sizeof(float)))) = float;
@@ -82,6 +81,11 @@ struct Floats {
     for (std::size_t i = 0; i < kParts; ++i) {
       __builtin_memcpy(to + i * kWidth, &parts[i], sizeof(Register));
     }
+  }
+  [[nodiscard]] PACER_INLINE float sum() const {
+    std::array<float, kLanes> lanes;
+    store(lanes.data());
+    return sum_of(lanes);
   }
   PACER_INLINE void scale(float by) {
     for (Register& part : parts) part *= by;
@@ -173,7 +177,7 @@ PACER_INLINE void substitute(const float* system, std::size_t size, std::size_t 
     const std::size_t end = std::min(first + kLanes, size);
     for (std::size_t column = 0; column < 2; ++column) {
       float* const solved = solution + column * width;
-      Lanes left;
+      std::array<float, kLanes> left;
       for (std::size_t i = first; i < end; ++i) {
         const float* const row = system + i * stride;
         Floats<kWidth> sums;
@@ -184,9 +188,7 @@ PACER_INLINE void substitute(const float* system, std::size_t size, std::size_t 
           below.load(solved + k);
           sums.add_product(values, below);
         }
-        Lanes lanes;
-        sums.store(lanes.data());
-        left[i - first] = row[size + column] - sum_of(lanes);
+        left[i - first] = row[size + column] - sums.sum();
       }
       for (std::size_t j = end; j-- > first;) {
         solved[j] = left[j - first] / system[j * stride + j];
@@ -215,14 +217,10 @@ PACER_INLINE void combine_body(const std::int32_t* differences, std::size_t pair
       sums[3].add_product(weight, high);
     }
     for (std::size_t i = 0; i < 4; ++i) {  // two rows, two pixels
-      Lanes lanes;
-      sums[i].store(lanes.data());
-      to[2 * (i / 2 * pairs + p) + i % 2] = sum_of(lanes);
+      to[2 * (i / 2 * pairs + p) + i % 2] = sums[i].sum();
     }
   }
 }
-#undef PACER_INLINE
-
 #define PACER_LOOPS(Kind, kWidth, Sums)                                                       \
   struct Kind {                                                                               \
     PACER_TARGET static void pair(const std::uint8_t* reference, const std::uint8_t* first,   \

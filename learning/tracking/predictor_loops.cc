@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "learning/tracking/lanes.h"
+
 namespace pacer::tracking {
 namespace {
-
-// The bodies are written once, for the compiler to vectorise for each kind of processor.
-#define PACER_INLINE [[gnu::always_inline]] inline
 
 PACER_INLINE void observe_body(const PixelView& image, int x, int y, const std::int32_t* dx,
                                const std::int32_t* dy, std::size_t count, std::uint8_t* values) {
@@ -28,8 +27,8 @@ PACER_INLINE void observe_body(const PixelView& image, int x, int y, const std::
 
 PACER_INLINE void project_body(const float* rows, const std::uint8_t* values, std::size_t count,
                                float* sums) {
-  Lanes first{};
-  Lanes second{};
+  std::array<float, kLanes> first{};
+  std::array<float, kLanes> second{};
   for (std::size_t i = 0; i < count; i += kLanes) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const auto value = static_cast<float>(values[i + lane]);
@@ -40,8 +39,6 @@ PACER_INLINE void project_body(const float* rows, const std::uint8_t* values, st
   sums[0] = sum_of(first);
   sums[1] = sum_of(second);
 }
-
-#undef PACER_INLINE
 
 #define PACER_LOOPS(Kind)                                                                          \
   struct Kind {                                                                                    \

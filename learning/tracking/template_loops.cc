@@ -3,11 +3,10 @@
 
 #include <array>
 
+#include "learning/tracking/lanes.h"
+
 namespace pacer::tracking {
 namespace {
-
-// The bodies are written once, for the compiler to vectorise for each kind of processor.
-#define PACER_INLINE [[gnu::always_inline]] inline
 
 PACER_INLINE std::uint32_t squared_distance_body(const std::uint8_t* a, const std::uint8_t* b,
                                                  std::size_t count) {
@@ -39,8 +38,6 @@ PACER_INLINE void lower_body(const double* row, double number, std::size_t count
     at[i] = lower ? number : at[i];
   }
 }
-#undef PACER_INLINE
-
 #define PACER_LOOPS(Kind)                                                                          \
   struct Kind {                                                                                    \
     PACER_TARGET static std::uint32_t squared_distance(const std::uint8_t* a,                      \
