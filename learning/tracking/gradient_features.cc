@@ -162,15 +162,21 @@ PACER_INLINE void describe_body(const float* samples, std::size_t stride, const 
 
 using Describe = void (*)(const float* samples, std::size_t stride, const float* window,
                           ComplexLanes* cells, float* energy, FeatureMap& map);
-#define PACER_DESCRIBE(name, Target)                                              \
-  Target void name(const float* samples, std::size_t stride, const float* window, \
-                   ComplexLanes* cells, float* energy, FeatureMap& map) {         \
-    describe_body(samples, stride, window, cells, energy, map);                   \
+#define PACER_DESCRIBE(name)                                                            \
+  PACER_TARGET void name(const float* samples, std::size_t stride, const float* window, \
+                         ComplexLanes* cells, float* energy, FeatureMap& map) {         \
+    describe_body(samples, stride, window, cells, energy, map);                         \
   }
-PACER_DESCRIBE(describe_any, )
+#define PACER_TARGET
+PACER_DESCRIBE(describe_any)
+#undef PACER_TARGET
 #ifdef __x86_64__
-PACER_DESCRIBE(describe_avx2, [[gnu::target("avx2")]])
-PACER_DESCRIBE(describe_avx512, [[gnu::target(PACER_AVX512)]])
+#define PACER_TARGET [[gnu::target("avx2")]]
+PACER_DESCRIBE(describe_avx2)
+#undef PACER_TARGET
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
+PACER_DESCRIBE(describe_avx512)
+#undef PACER_TARGET
 constexpr std::array<Describe, 3> kDescribe{describe_any, describe_avx2, describe_avx512};
 #else
 constexpr std::array<Describe, 1> kDescribe{describe_any};

@@ -89,21 +89,27 @@ struct PatchLoops {
   void (*sample)(const Walk& walk, int rows, int blocks, float* to);
 };
 
-#define PACER_PATCH_LOOPS(Kind, Target)                                                  \
-  struct Kind {                                                                          \
-    Target static void halve(const std::uint8_t* from, std::ptrdiff_t stride, int width, \
-                             int height, std::uint8_t* to, std::ptrdiff_t to_stride) {   \
-      halve_body(from, stride, width, height, to, to_stride);                            \
-    }                                                                                    \
-    Target static void sample(const Walk& walk, int rows, int blocks, float* to) {       \
-      sample_body(walk, rows, blocks, to);                                               \
-    }                                                                                    \
-    static constexpr PatchLoops kLoops{halve, sample};                                   \
+#define PACER_PATCH_LOOPS(Kind)                                                                \
+  struct Kind {                                                                                \
+    PACER_TARGET static void halve(const std::uint8_t* from, std::ptrdiff_t stride, int width, \
+                                   int height, std::uint8_t* to, std::ptrdiff_t to_stride) {   \
+      halve_body(from, stride, width, height, to, to_stride);                                  \
+    }                                                                                          \
+    PACER_TARGET static void sample(const Walk& walk, int rows, int blocks, float* to) {       \
+      sample_body(walk, rows, blocks, to);                                                     \
+    }                                                                                          \
+    static constexpr PatchLoops kLoops{halve, sample};                                         \
   }
-PACER_PATCH_LOOPS(AnyProcessor, );
+#define PACER_TARGET
+PACER_PATCH_LOOPS(AnyProcessor);
+#undef PACER_TARGET
 #ifdef __x86_64__
-PACER_PATCH_LOOPS(Avx2, [[gnu::target("avx2")]]);
-PACER_PATCH_LOOPS(Avx512, [[gnu::target(PACER_AVX512)]]);
+#define PACER_TARGET [[gnu::target("avx2")]]
+PACER_PATCH_LOOPS(Avx2);
+#undef PACER_TARGET
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
+PACER_PATCH_LOOPS(Avx512);
+#undef PACER_TARGET
 #else
 using Avx2 = AnyProcessor;
 using Avx512 = AnyProcessor;

@@ -207,34 +207,40 @@ struct SpectrumLoops {
   void (*plane_back)(std::complex<float>* plane, float* into);
 };
 
-#define PACER_SPECTRUM_LOOPS(Kind, Target)                                                       \
-  struct Kind {                                                                                  \
-    Target static void forward(ComplexLanes* cells, const CellRange& filled) {                   \
-      forward_body(cells, filled);                                                               \
-    }                                                                                            \
-    Target static void back(ComplexLanes* cells, const CellRange& wanted) {                      \
-      back_body(cells, wanted);                                                                  \
-    }                                                                                            \
-    Target static void products(const ComplexLanes* a, const ComplexLanes* b,                    \
-                                std::complex<float>* sums) {                                     \
-      products_body(a, b, sums);                                                                 \
-    }                                                                                            \
-    Target static void multiply(const std::complex<float>* factor, const ComplexLanes* map,      \
-                                ComplexLanes* into) {                                            \
-      multiply_body(factor, map, into);                                                          \
-    }                                                                                            \
-    Target static void blend(ComplexLanes* map, const ComplexLanes* other, float rate) {         \
-      blend_body(map, other, rate);                                                              \
-    }                                                                                            \
-    Target static void plane_back(std::complex<float>* plane, float* into) {                     \
-      plane_back_body(plane, into);                                                              \
-    }                                                                                            \
-    static constexpr SpectrumLoops kLoops{forward, back, products, multiply, blend, plane_back}; \
+#define PACER_SPECTRUM_LOOPS(Kind)                                                                \
+  struct Kind {                                                                                   \
+    PACER_TARGET static void forward(ComplexLanes* cells, const CellRange& filled) {              \
+      forward_body(cells, filled);                                                                \
+    }                                                                                             \
+    PACER_TARGET static void back(ComplexLanes* cells, const CellRange& wanted) {                 \
+      back_body(cells, wanted);                                                                   \
+    }                                                                                             \
+    PACER_TARGET static void products(const ComplexLanes* a, const ComplexLanes* b,               \
+                                      std::complex<float>* sums) {                                \
+      products_body(a, b, sums);                                                                  \
+    }                                                                                             \
+    PACER_TARGET static void multiply(const std::complex<float>* factor, const ComplexLanes* map, \
+                                      ComplexLanes* into) {                                       \
+      multiply_body(factor, map, into);                                                           \
+    }                                                                                             \
+    PACER_TARGET static void blend(ComplexLanes* map, const ComplexLanes* other, float rate) {    \
+      blend_body(map, other, rate);                                                               \
+    }                                                                                             \
+    PACER_TARGET static void plane_back(std::complex<float>* plane, float* into) {                \
+      plane_back_body(plane, into);                                                               \
+    }                                                                                             \
+    static constexpr SpectrumLoops kLoops{forward, back, products, multiply, blend, plane_back};  \
   }
-PACER_SPECTRUM_LOOPS(AnyProcessor, );
+#define PACER_TARGET
+PACER_SPECTRUM_LOOPS(AnyProcessor);
+#undef PACER_TARGET
 #ifdef __x86_64__
-PACER_SPECTRUM_LOOPS(Avx2, [[gnu::target("avx2")]]);
-PACER_SPECTRUM_LOOPS(Avx512, [[gnu::target(PACER_AVX512)]]);
+#define PACER_TARGET [[gnu::target("avx2")]]
+PACER_SPECTRUM_LOOPS(Avx2);
+#undef PACER_TARGET
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
+PACER_SPECTRUM_LOOPS(Avx512);
+#undef PACER_TARGET
 #else
 using Avx2 = AnyProcessor;
 using Avx512 = AnyProcessor;
