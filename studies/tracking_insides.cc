@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <numeric>
+#include <optional>
 
 #include "core/check.h"
 #include "runs/report/charts.h"
@@ -85,20 +85,22 @@ report::Series rate_series(const std::string& name, const std::vector<double>& u
   return series;
 }
 
+std::optional<Box> truth_at(const TrackingTarget& target, std::size_t at) {
+  return at < target.truth.size() ? target.truth[at] : std::nullopt;
+}
+
 void add_rates(const ScoredRun& boosting, const std::vector<report::Series>& series,
                report::Page& page) {
   std::vector<std::string> names;
   for (const report::Series& one : series) names.push_back(one.name);
   const double mark = boosting.run.fps();
+  const report::Axis rate = {.title = "frames a second", .unit = "logarithmic", .log = true};
   page.section("Figure 4.11: speed along " + boosting.run.target)
       .chart(
-          {.spec = report::line_chart(series, {.title = "picture"},
-                                      {.title = "floating average of 25 pictures",
-                                       .unit = "frames a second, logarithmic",
-                                       .log = true},
-                                      report::Palette(names), {}, {&mark, 1}),
-           .caption = fmt::format("The level is Boosting's mean, {:.0f} frames a second. LP-SMAT "
-                                  "and LP-MED ran alone on one core for this figure.",
+          {.spec = report::line_chart(series, {.title = "picture"}, rate, report::Palette(names),
+                                      {}, {&mark, 1}),
+           .caption = fmt::format("Floating averages of 25 pictures, alone on one core. The level "
+                                  "is Boosting's mean, {:.0f} frames a second.",
                                   mark)});
 }
 
@@ -131,15 +133,15 @@ TrackerInsides look_inside(const std::string& name, const TrackingTarget& target
         track = tracker->update(picture);
         insides.update_s.push_back(std::chrono::duration<double>(Clock::now() - start).count());
       }
-      watch(picture, track);
+      const std::size_t number = target.first + at;
+      watch(number, picture);
       if (std::ranges::find(drawn, at) != drawn.end()) {
         marks.clear();
         tracker->annotate(marks);
-        const std::size_t number = target.first + at;
-        const auto truth = number < target.truth.size() ? target.truth[number] : std::nullopt;
         insides.shots.push_back(
             {.at = number,
-             .jpg = report::encode_jpeg(drawing.draw(number, picture.bgr, track, marks, truth))});
+             .jpg = report::encode_jpeg(
+                 drawing.draw(number, picture.bgr, track, marks, truth_at(target, number)))});
       }
       ++at;
     }
@@ -156,8 +158,9 @@ void add_insides(const TrackingComparison& comparison, std::uint64_t seed,
     ClusteredTemplates clusters(target->box);
     const TrackerInsides insides =
         look_inside(figure.tracker, *target, figure.drawn, seed, stop,
-                    [&](const tracking::Picture& picture, const tracking::Track& track) {
-                      if (figure.with_clusters) clusters.add(picture.grey, track.box);
+                    [&](std::size_t at, const tracking::Picture& picture) {
+                      const std::optional<Box> truth = truth_at(*target, at);
+                      if (figure.with_clusters && truth) clusters.add(picture.grey, *truth);
                     });
     std::vector<report::Figure> shots;
     for (const TrackerInsides::Shot& shot : insides.shots) shots.push_back({.bytes = shot.jpg});
