@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "learning/tracking/learning_loops.h"
 #include "learning/tracking/motion.h"
 #include "learning/tracking/predictor_loops.h"
 
@@ -47,7 +48,7 @@ LinearPredictor PredictorTrainer::make() const {
 }
 
 void PredictorTrainer::learn(const cv::Mat1b& image, cv::Point at, LinearPredictor& predictor) {
-  const PredictorLoops& loops = predictor_loops();
+  const LearningLoops& loops = learning_loops();
   const auto samples = static_cast<std::size_t>(config_.samples);
   const std::size_t pairs = reference_.size() / 2;
   const std::size_t stride = row_length(samples);
@@ -69,8 +70,8 @@ void PredictorTrainer::learn(const cv::Mat1b& image, cv::Point at, LinearPredict
   loops.solve(system_.data(), samples, stride, weights_.data());
   loops.combine(differences_.data(), pairs, moved_.size(), weights_.data(),
                 predictor.projection.data());
-  loops.project(predictor.projection.data(), reference_.data(), reference_.size(),
-                predictor.at_rest.data());
+  predictor_loops().project(predictor.projection.data(), reference_.data(), reference_.size(),
+                            predictor.at_rest.data());
 }
 
 // D, a pixel of the support in all samples at a time. What pads the support stays zero.
@@ -87,8 +88,8 @@ void PredictorTrainer::sample(const cv::Mat1b& image, cv::Point at, const PixelS
       else
         std::fill_n(seen, samples, reference_[i + half]);
     }
-    predictor_loops().pair(&reference_[i], &observed_[0], &observed_[samples], samples,
-                           &differences_[i / 2 * samples]);
+    learning_loops().pair(&reference_[i], &observed_[0], &observed_[samples], samples,
+                          &differences_[i / 2 * samples]);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 // What the widest kind is compiled for; clang has no name for the width that is preferred.
@@ -26,6 +27,15 @@ inline constexpr std::size_t kLanes = 16;
 /// `count` rounded up to whole lanes.
 [[nodiscard]] constexpr std::size_t padded(std::size_t count) noexcept {
   return (count + kLanes - 1) / kLanes * kLanes;
+}
+
+/// Floats of as many lanes, added up in an order that does not depend on the processor either.
+using Lanes = std::array<float, kLanes>;
+[[gnu::always_inline]] inline float sum_of(Lanes sums) {
+  for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
+    for (std::size_t i = 0; i < half; ++i) sums[i] += sums[i + half];
+  }
+  return sums[0];
 }
 
 }  // namespace pacer::tracking

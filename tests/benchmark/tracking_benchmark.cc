@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "learning/tracking/linear_predictor.h"
-#include "learning/tracking/predictor_loops.h"
+#include "learning/tracking/learning_loops.h"
 #include "learning/tracking/tracker.h"
 #include "tests/learning/tracking/texture.h"
 
@@ -49,9 +49,9 @@ void solve(benchmark::State& state) {
   for (auto& pair : differences) pair = static_cast<std::int32_t>(random.next() & 0x007f007f);
   std::vector<float> system(kSamples * kStride), solution(2 * kSamples);
   for (auto _ : state) {
-    predictor_loops(kind).gram(differences.data(), kPairs, kSamples, kStride, system.data());
+    learning_loops(kind).gram(differences.data(), kPairs, kSamples, kStride, system.data());
     for (std::size_t i = 0; i < 100; ++i) system[i * (kStride + 1)] += 1e6F;
-    predictor_loops(kind).solve(system.data(), 100, kStride, solution.data());
+    learning_loops(kind).solve(system.data(), 100, kStride, solution.data());
     benchmark::DoNotOptimize(solution.data());
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "learning/tracking/learning_loops.h"
 #include "learning/tracking/predictor_loops.h"
 #include "learning/tracking/template_loops.h"
 
@@ -17,6 +18,7 @@ namespace {
 class Loops : public ::testing::TestWithParam<std::size_t> {
  protected:
   const PredictorLoops& predictor = predictor_loops(GetParam());
+  const LearningLoops& learning = learning_loops(GetParam());
   const TemplateLoops& templates = template_loops(GetParam());
   Random random{7};
 
@@ -35,7 +37,7 @@ class Loops : public ::testing::TestWithParam<std::size_t> {
     std::vector<std::int32_t> packed(pairs * samples);
     for (std::size_t p = 0; p < pairs; ++p) {
       const auto reference = bytes(2), first = bytes(samples), second = bytes(samples);
-      predictor.pair(reference.data(), first.data(), second.data(), samples, &packed[p * samples]);
+      learning.pair(reference.data(), first.data(), second.data(), samples, &packed[p * samples]);
     }
     return packed;
   }
@@ -63,7 +65,7 @@ TEST_P(Loops, PackDifferencesInPairs) {
   second[1] = 0;
   second[2] = 255;
   std::vector<std::int32_t> packed(16);
-  predictor.pair(reference.data(), first.data(), second.data(), 16, packed.data());
+  learning.pair(reference.data(), first.data(), second.data(), 16, packed.data());
   const Eigen::MatrixXd d = unpacked(packed, 1, 16);
   EXPECT_EQ(d.col(0), Eigen::Vector2d(0, 0));
   EXPECT_EQ(d.col(1), Eigen::Vector2d(-245, 250));
@@ -76,7 +78,7 @@ TEST_P(Loops, MakeTheGramMatrixExactly) {
     const auto packed = differences(pairs, samples);
     const std::size_t stride = samples + 16;
     std::vector<float> products(samples * stride, -1.0F);
-    predictor.gram(packed.data(), pairs, samples, stride, products.data());
+    learning.gram(packed.data(), pairs, samples, stride, products.data());
     const Eigen::MatrixXd d = unpacked(packed, pairs, samples);
     const Eigen::MatrixXd expected = d.transpose() * d;
     for (std::size_t i = 0; i < samples; ++i) {
@@ -108,8 +110,8 @@ TEST_P(Loops, SolveAsEigenDoesAndAlikeOnEveryProcessor) {
     }
     std::vector<float> plain_system = system;
     std::vector<float> solution(2 * padded(size)), plain = solution;
-    predictor.solve(system.data(), size, stride, solution.data());
-    predictor_loops(0).solve(plain_system.data(), size, stride, plain.data());
+    learning.solve(system.data(), size, stride, solution.data());
+    learning_loops(0).solve(plain_system.data(), size, stride, plain.data());
     EXPECT_EQ(solution, plain);
     const Eigen::MatrixXd expected = a.llt().solve(b);
     for (std::size_t i = 0; i < size; ++i) {
@@ -125,8 +127,8 @@ TEST_P(Loops, CombineDifferencesAlikeOnEveryProcessor) {
   const auto packed = differences(kPairs, kSamples);
   const auto weights = floats(2 * kSamples);
   std::vector<float> combined(4 * kPairs), plain = combined;
-  predictor.combine(packed.data(), kPairs, kSamples, weights.data(), combined.data());
-  predictor_loops(0).combine(packed.data(), kPairs, kSamples, weights.data(), plain.data());
+  learning.combine(packed.data(), kPairs, kSamples, weights.data(), combined.data());
+  learning_loops(0).combine(packed.data(), kPairs, kSamples, weights.data(), plain.data());
   EXPECT_EQ(combined, plain);
   const Eigen::MatrixXd d = unpacked(packed, kPairs, kSamples);
   const Eigen::Map<const Eigen::Matrix<float, kSamples, 2>> w(weights.data());
