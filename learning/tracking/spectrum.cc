@@ -30,7 +30,7 @@ constexpr std::array<std::size_t, kGrid> kReversed = [] {
 }();
 
 PACER_INLINE void turn(ComplexLanes& x, std::complex<float> by) {
-  const Lanes re = x.re * by.real() - x.im * by.imag();
+  const FloatLanes re = x.re * by.real() - x.im * by.imag();
   x.im = x.re * by.imag() + x.im * by.real();
   x.re = re;
 }
@@ -38,8 +38,8 @@ PACER_INLINE void turn(ComplexLanes& x, std::complex<float> by) {
 /// x = a + b and y = a - b; x and y may be a and b.
 PACER_INLINE void add_and_subtract(const ComplexLanes& a, const ComplexLanes& b, ComplexLanes& x,
                                    ComplexLanes& y) {
-  const Lanes re = a.re - b.re;
-  const Lanes im = a.im - b.im;
+  const FloatLanes re = a.re - b.re;
+  const FloatLanes im = a.im - b.im;
   x.re = a.re + b.re;
   x.im = a.im + b.im;
   y.re = re;
@@ -51,7 +51,7 @@ template <bool kBack>
 PACER_INLINE void butterfly4(ComplexLanes& a, ComplexLanes& b, ComplexLanes& c, ComplexLanes& d) {
   add_and_subtract(a, c, a, c);
   add_and_subtract(b, d, b, d);
-  const Lanes re = d.re;  // b - d turns by a right angle: by -i, or back by i
+  const FloatLanes re = d.re;  // b - d turns by a right angle: by -i, or back by i
   d.re = kBack ? -d.im : d.im;
   d.im = kBack ? re : -re;
   add_and_subtract(a, b, a, b);  // the first and the third
@@ -132,7 +132,7 @@ PACER_INLINE void back_body(ComplexLanes* cells, const CellRange& wanted) {
   }
 }
 
-PACER_INLINE float sum_of(const Lanes& lanes) {
+PACER_INLINE float sum_of(const FloatLanes& lanes) {
   std::array<float, kLanes> sums;
   for (std::size_t i = 0; i < kLanes; ++i) sums[i] = lanes[i];
   for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
