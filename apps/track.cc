@@ -249,7 +249,7 @@ void add_track(CLI::App& app, const std::stop_token& stop) {
   options->common.add_to(*command);
   std::string known;
   for (const TrackerKind& kind : every_tracker()) {
-    known += fmt::format("\n  {:<16}{}", kind.name, kind.about);
+    known += fmt::format("\n  {:<18}{}", kind.name, kind.about);
   }
   command->footer("Trackers:" + known +
                   "\nExample: pacer track sequences/Dudek --tracker all --report out/dudek.html");

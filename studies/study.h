@@ -40,7 +40,7 @@ struct StudyContext {
   std::filesystem::path cache;  ///< recordings, models and runs shared between studies
   std::filesystem::path out;    ///< where its page goes; empty: none
   std::optional<std::filesystem::path> transactions;  ///< a file to mine (`apriori`)
-  std::optional<std::filesystem::path> images;  ///< pictures to try displacement estimators on
+  std::optional<std::filesystem::path> images;     ///< pictures to try displacement estimators on
   std::optional<std::filesystem::path> sequences;  ///< with truth, to measure trackers on
 };
 

@@ -88,9 +88,15 @@ class Claims {
 void Claims::of_speed(double cost_exponent) {
   constexpr double kOverBoosting = 50.0;
   const std::string sequence = "Dudek";
-  const std::vector<std::pair<std::string, double>> bounds = {
+  struct Bound {
+    std::string tracker;
+    double fps = 0.0;
+  };
+  const std::vector<Bound> bounds = {
       {"LP-FLOCK", 20000.0}, {"LP-SMAT", 3000.0}, {"LP-MED", 3000.0}, {best_, 2000.0}};
-  for (const auto& [tracker, fps] : bounds) {
+  for (const Bound& bounded : bounds) {
+    const std::string& tracker = bounded.tracker;
+    const double fps = bounded.fps;
     each(sequence, {tracker}, "fps", [&](const ScoredRun& run, const std::string& name) {
       return at_least(name, fmt::format("{}: {:.0f} frames a second on Dudek", tracker, fps),
                       run.run.fps(), fps);

@@ -95,7 +95,7 @@ void ClusteredTemplates::add_to(report::Page& page) const {
     const std::span<const std::uint8_t> mode(&templates_[cluster.mode * grid_.length()],
                                              grid_.length());
     modes.push_back({.frame = frame_of(grid_.patch(mode, Tone::kNeutral)),
-                     .caption = fmt::format("{} of {} to {}", cluster.points.size(),
+                     .caption = fmt::format("{}: {}-{}", cluster.points.size(),
                                             pictures_[cluster.points.front()] + 1,
                                             pictures_[cluster.points.back()] + 1)});
   }
@@ -107,11 +107,13 @@ void ClusteredTemplates::add_to(report::Page& page) const {
       report::contact_sheet(modes, static_cast<int>(modes.size()), {.width = 150, .height = 180}));
   const std::vector<report::Figure> matrices = {
       {.bytes = before, .caption = "In the order of time"},
-      {.bytes = after, .caption = fmt::format("Sorted into {} clusters", clusters.size())}};
+      {.bytes = after,
+       .caption = fmt::format("Sorted by cluster, of which there are {}", clusters.size())}};
   page.section("Figure 4.5: clusters by medoidshift")
       .paragraph(fmt::format(
-          "Distances between the templates of pictures {} to {} of head-motion, where LP-MED put "
-          "the target: dark is alike. Pictures far apart in time share a cluster where the head "
+          "Distances between the templates of pictures {} to {} of head-motion, about the true "
+          "centres, clustered as LP-MED does: dark is alike. Pictures far apart in time share a "
+          "cluster where the head "
           "looks the same.",
           pictures_[in_time.front()] + 1, pictures_[in_time.back()] + 1))
       .gallery(matrices)

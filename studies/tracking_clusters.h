@@ -13,12 +13,13 @@
 
 namespace pacer {
 
-/// The templates of a target along a track, clustered by medoidshift as LP-MED does: Figure 4.5.
+/// The templates of a target, clustered by medoidshift as LP-MED does: Figure 4.5.
 class ClusteredTemplates {
  public:
   /// For a target of this size, through the first `pictures`; the templates of the last are kept.
   explicit ClusteredTemplates(const Box& target, std::size_t pictures = 400);
 
+  /// The target as it is in the next picture, about the centre of `box`.
   void add(const cv::Mat1b& grey, const Box& box);
   /// Adds the distance matrix, in the order of time and sorted by cluster, and the largest
   /// clusters' modes.

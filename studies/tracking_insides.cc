@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <numeric>
+#include <optional>
 
 #include "core/check.h"
 #include "runs/report/charts.h"
@@ -27,12 +27,14 @@ struct InsideFigure {
   std::string sequence;
   std::vector<std::size_t> drawn;
   std::string about;
+  bool with_clusters = false;  ///< of the target's templates, too: Figure 4.5
+  bool with_speed = false;     ///< along the sequence, LP-MED's too: Figure 4.11
 };
 
 const std::vector<InsideFigure>& figures() {
   static const std::string aspects =
       "Below each picture the median templates of LP-SMAT's components, by falling weight; the one "
-      "with the bull's-eye is the last picture's. ";
+      "with the bull's-eye is this picture's. ";
   static const std::vector<InsideFigure> all = {
       {.heading = "Figure 4.4: aspects of a head",
        .tracker = "LP-SMAT",
@@ -49,19 +51,22 @@ const std::vector<InsideFigure>& figures() {
        .sequence = "Dudek",
        .drawn = {213, 240, 370, 420},
        .about = aspects + "While the hand is before the face and after; while the glasses come off "
-                          "and after."},
+                          "and after.",
+       .with_speed = true},
       {.heading = "Figure 4.12: aspects of a face",
        .tracker = "LP-SMAT",
        .sequence = "face-hand",
        .drawn = {213, 240, 366, 420},
        .about = aspects + "While the hand is before the face and after; while the glasses come off "
-                          "and after."},
+                          "and after.",
+       .with_speed = true},
       {.heading = "Figure 4.15: predictors replaced",
        .tracker = "LP-MED",
        .sequence = "head-motion",
        .drawn = {80, 200, 320, 420},
        .about = "LP-MED's predictors as points; with the range of their support the one that did "
-                "worst in this picture, and the one that was learnt from it."}};
+                "worst in this picture, and the one that was learnt from it.",
+       .with_clusters = true}};
   return all;
 }
 
@@ -70,7 +75,7 @@ report::Series rate_series(const std::string& name, const std::vector<double>& u
   constexpr std::size_t kWindow = 25;
   constexpr std::size_t kMost = 300;  // points that a chart can show
   report::Series series{.name = name, .x = {}, .y = {}};
-  const std::size_t step = std::max<std::size_t>(1, update_s.size() / kMost);
+  const std::size_t step = std::max<std::size_t>(1, (update_s.size() + kMost - 1) / kMost);
   for (std::size_t end = kWindow; end <= update_s.size(); end += step) {
     const auto last = update_s.begin() + static_cast<std::ptrdiff_t>(end);
     const double sum = std::accumulate(last - static_cast<std::ptrdiff_t>(kWindow), last, 0.0);
@@ -80,20 +85,22 @@ report::Series rate_series(const std::string& name, const std::vector<double>& u
   return series;
 }
 
+std::optional<Box> truth_at(const TrackingTarget& target, std::size_t at) {
+  return at < target.truth.size() ? target.truth[at] : std::nullopt;
+}
+
 void add_rates(const ScoredRun& boosting, const std::vector<report::Series>& series,
                report::Page& page) {
   std::vector<std::string> names;
   for (const report::Series& one : series) names.push_back(one.name);
   const double mark = boosting.run.fps();
+  const report::Axis rate = {.title = "frames a second", .unit = "logarithmic", .log = true};
   page.section("Figure 4.11: speed along " + boosting.run.target)
       .chart(
-          {.spec = report::line_chart(series, {.title = "picture"},
-                                      {.title = "floating average of 25 pictures",
-                                       .unit = "frames a second, logarithmic",
-                                       .log = true},
-                                      report::Palette(names), {}, {&mark, 1}),
-           .caption = fmt::format("The level is Boosting's mean, {:.0f} frames a second. LP-SMAT "
-                                  "and LP-MED ran alone on one core for this figure.",
+          {.spec = report::line_chart(series, {.title = "picture"}, rate, report::Palette(names),
+                                      {}, {&mark, 1}),
+           .caption = fmt::format("Floating averages of 25 pictures, alone on one core. The level "
+                                  "is Boosting's mean, {:.0f} frames a second.",
                                   mark)});
 }
 
@@ -126,15 +133,15 @@ TrackerInsides look_inside(const std::string& name, const TrackingTarget& target
         track = tracker->update(picture);
         insides.update_s.push_back(std::chrono::duration<double>(Clock::now() - start).count());
       }
-      watch(picture, track);
+      const std::size_t number = target.first + at;
+      watch(number, picture);
       if (std::ranges::find(drawn, at) != drawn.end()) {
         marks.clear();
         tracker->annotate(marks);
-        const std::size_t number = target.first + at;
-        const auto truth = number < target.truth.size() ? target.truth[number] : std::nullopt;
         insides.shots.push_back(
             {.at = number,
-             .jpg = report::encode_jpeg(drawing.draw(number, picture.bgr, track, marks, truth))});
+             .jpg = report::encode_jpeg(
+                 drawing.draw(number, picture.bgr, track, marks, truth_at(target, number)))});
       }
       ++at;
     }
@@ -149,19 +156,19 @@ void add_insides(const TrackingComparison& comparison, std::uint64_t seed,
         std::ranges::find(comparison.targets, figure.sequence, &TrackingTarget::name);
     if (target == comparison.targets.end()) continue;
     ClusteredTemplates clusters(target->box);
-    const bool clustered = figure.tracker == "LP-MED";
     const TrackerInsides insides =
         look_inside(figure.tracker, *target, figure.drawn, seed, stop,
-                    [&](const tracking::Picture& picture, const tracking::Track& track) {
-                      if (clustered) clusters.add(picture.grey, track.box);
+                    [&](std::size_t at, const tracking::Picture& picture) {
+                      const std::optional<Box> truth = truth_at(*target, at);
+                      if (figure.with_clusters && truth) clusters.add(picture.grey, *truth);
                     });
     std::vector<report::Figure> shots;
     for (const TrackerInsides::Shot& shot : insides.shots) shots.push_back({.bytes = shot.jpg});
     page.section(figure.heading).paragraph(figure.about).gallery(shots);
-    if (clustered) clusters.add_to(page);
+    if (figure.with_clusters) clusters.add_to(page);
 
     const ScoredRun* const boosting = find_run(comparison, figure.sequence, "Boosting");
-    if (boosting == nullptr || !figure.heading.starts_with("Figure 4.12")) continue;
+    if (boosting == nullptr || !figure.with_speed) continue;
     add_rates(*boosting,
               {rate_series("LP-SMAT", insides.update_s),
                rate_series("LP-MED", look_inside("LP-MED", *target, {}, seed, stop).update_s)},

@@ -7,6 +7,14 @@
 #include "core/check.h"
 
 namespace pacer::tracking {
+namespace {
+
+const PosePredictorConfig& validated(const PosePredictorConfig& config) {
+  config.validate();
+  return config;
+}
+
+}  // namespace
 
 void PosePredictorConfig::validate() const {
   require(side >= 2 && side <= 64, "side must be 2 to 64");
@@ -20,8 +28,7 @@ void PosePredictorConfig::validate() const {
 
 AspectTrainer::AspectTrainer(const PosePredictorConfig& config, double width, double height,
                              Random random)
-    : config_(config), random_(random) {
-  config.validate();
+    : config_(validated(config)), random_(random), solver_(config.samples) {
   const Eigen::Index side = config.side;
   const Eigen::Index count = side * side;
   across_.resize(count);
@@ -40,7 +47,6 @@ AspectTrainer::AspectTrainer(const PosePredictorConfig& config, double width, do
   differences_.resize(count, config.samples);
   targets_.resize(config.samples, 4);
   gram_.resize(config.samples, config.samples);
-  solver_ = Eigen::LLT<Eigen::MatrixXf>(config.samples);
   seen_.resize(count);
 }
 

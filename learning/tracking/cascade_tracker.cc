@@ -172,8 +172,9 @@ void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
   for (int probe = 0; probe < config_.probes; ++probe) {
     place_ = (place_ + 1) % (columns * rows);
     Similarity there = pose_;
-    there.x = (static_cast<double>(place_ % columns) + 0.5) * stride;
-    there.y = (static_cast<double>(place_ / columns) + 0.5) * stride;
+    const std::size_t row = place_ / columns;
+    there.x = (static_cast<double>(place_ - row * columns) + 0.5) * stride;
+    there.y = (static_cast<double>(row) + 0.5) * stride;
     const Sighting found = locate(image, inside(image, there));
     if (found.answer < config_.recognised * usual_) continue;
     look_at(image, found.pose);

@@ -19,8 +19,8 @@ struct alignas(64) HalfCells {
   std::array<float, kHalves * kLanes> sums;
 };
 
-PACER_INLINE Lanes magnitude(const Lanes& squared) {
-  Lanes root;
+PACER_INLINE FloatLanes magnitude(const FloatLanes& squared) {
+  FloatLanes root;
   for (std::size_t lane = 0; lane < kLanes; ++lane) root[lane] = std::sqrt(squared[lane]);
   return root;
 }
@@ -34,22 +34,22 @@ PACER_INLINE void add_row(const float* row, std::size_t stride, HalfCells& halve
     half[lane] = static_cast<int>(lane / 2 * kLanes);
   }
   for (std::size_t x = 0; x < kSamples; x += kLanes) {
-    Lanes left, right, above, below;
+    FloatLanes left, right, above, below;
     std::memcpy(&left, row + x - 1, sizeof left);
     std::memcpy(&right, row + x + 1, sizeof right);
     std::memcpy(&above, row + x - stride, sizeof above);
     std::memcpy(&below, row + x + stride, sizeof below);
-    const Lanes across = right - left;
-    const Lanes down = below - above;
-    const Lanes width = across < 0.0F ? -across : across;
-    const Lanes height = down < 0.0F ? -down : down;
+    const FloatLanes across = right - left;
+    const FloatLanes down = below - above;
+    const FloatLanes width = across < 0.0F ? -across : across;
+    const FloatLanes height = down < 0.0F ? -down : down;
     IntLanes quarter{};
     for (const float border : kBorders) quarter -= height > border * width;  // true is -1
     const IntLanes upper = across < 0.0F ? 8 - quarter : quarter;
     const IntLanes direction = down < 0.0F ? (16 - upper) & 15 : upper;
     alignas(64) std::array<float, kLanes> amounts;
     alignas(64) std::array<int, kLanes> places;
-    const Lanes amount = magnitude(across * across + down * down);
+    const FloatLanes amount = magnitude(across * across + down * down);
     const IntLanes place = direction + half + static_cast<int>(x / 2 * kLanes);
     std::memcpy(amounts.data(), &amount, sizeof amount);
     std::memcpy(places.data(), &place, sizeof place);
@@ -66,10 +66,10 @@ PACER_INLINE void pool_row(const HalfCells* const* halves, ComplexLanes* cells) 
   pooled.front() = ComplexLanes();
   pooled.back() = ComplexLanes();
   for (std::size_t x = 0; x < kHalves; ++x) {
-    Lanes sum{};
+    FloatLanes sum{};
     for (std::size_t n = 0; n < 4; ++n) {
       if (halves[n] == nullptr) continue;
-      Lanes value;
+      FloatLanes value;
       std::memcpy(&value, &halves[n]->sums[x * kLanes], sizeof value);
       sum += kWeights[n] * value;
     }
@@ -81,31 +81,31 @@ PACER_INLINE void pool_row(const HalfCells* const* halves, ComplexLanes* cells) 
   }
 }
 
-PACER_INLINE float sum_of(const Lanes& lanes) {
+PACER_INLINE float sum_of(const FloatLanes& lanes) {
   float sum = 0.0F;
   for (std::size_t i = 0; i < kLanes; ++i) sum += lanes[i];
   return sum;
 }
 
 /// Directions that differ by half a turn are one orientation: it stands in both halves.
-PACER_INLINE Lanes orientations(const Lanes& directions) {
+PACER_INLINE FloatLanes orientations(const FloatLanes& directions) {
   return directions + __builtin_shufflevector(directions, directions, 8, 9, 10, 11, 12, 13, 14, 15,
                                               0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-PACER_INLINE Lanes clipped(const Lanes& values) {
-  const Lanes limit = Lanes{} + kClip;
+PACER_INLINE FloatLanes clipped(const FloatLanes& values) {
+  const FloatLanes limit = FloatLanes{} + kClip;
   return values < limit ? values : limit;
 }
 
-PACER_INLINE void describe_cell(const Lanes& directions, const float* inverse_norms,
+PACER_INLINE void describe_cell(const FloatLanes& directions, const float* inverse_norms,
                                 float intensity, float fade, ComplexLanes& into) {
-  const Lanes both = orientations(directions);
-  Lanes directed{};
-  Lanes oriented{};
+  const FloatLanes both = orientations(directions);
+  FloatLanes directed{};
+  FloatLanes oriented{};
   std::array<float, 4> energies;
   for (std::size_t n = 0; n < 4; ++n) {
-    const Lanes part = clipped(directions * inverse_norms[n]);
+    const FloatLanes part = clipped(directions * inverse_norms[n]);
     directed += part;
     oriented += clipped(both * inverse_norms[n]);
     energies[n] = sum_of(part);
@@ -136,7 +136,7 @@ PACER_INLINE void describe_body(const float* samples, std::size_t stride, const 
   }
   for (std::size_t r = 1; r <= kGrid; ++r) {
     for (std::size_t c = 1; c <= kGrid; ++c) {
-      const Lanes both = orientations(cells[r * kBordered + c].re);
+      const FloatLanes both = orientations(cells[r * kBordered + c].re);
       energy[r * kBordered + c] = 0.5F * sum_of(both * both);
     }
   }
@@ -162,15 +162,21 @@ PACER_INLINE void describe_body(const float* samples, std::size_t stride, const 
 
 using Describe = void (*)(const float* samples, std::size_t stride, const float* window,
                           ComplexLanes* cells, float* energy, FeatureMap& map);
-#define PACER_DESCRIBE(name, Target)                                              \
-  Target void name(const float* samples, std::size_t stride, const float* window, \
-                   ComplexLanes* cells, float* energy, FeatureMap& map) {         \
-    describe_body(samples, stride, window, cells, energy, map);                   \
+#define PACER_DESCRIBE(name)                                                            \
+  PACER_TARGET void name(const float* samples, std::size_t stride, const float* window, \
+                         ComplexLanes* cells, float* energy, FeatureMap& map) {         \
+    describe_body(samples, stride, window, cells, energy, map);                         \
   }
-PACER_DESCRIBE(describe_any, )
+#define PACER_TARGET
+PACER_DESCRIBE(describe_any)
+#undef PACER_TARGET
 #ifdef __x86_64__
-PACER_DESCRIBE(describe_avx2, [[gnu::target("avx2")]])
-PACER_DESCRIBE(describe_avx512, [[gnu::target(PACER_AVX512)]])
+#define PACER_TARGET [[gnu::target("avx2")]]
+PACER_DESCRIBE(describe_avx2)
+#undef PACER_TARGET
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
+PACER_DESCRIBE(describe_avx512)
+#undef PACER_TARGET
 constexpr std::array<Describe, 3> kDescribe{describe_any, describe_avx2, describe_avx512};
 #else
 constexpr std::array<Describe, 1> kDescribe{describe_any};

@@ -13,14 +13,14 @@
 namespace pacer::tracking {
 
 /// kLanes floats; the compiler makes one, two or four registers of them.
-using Lanes [[gnu::vector_size(64)]] = float;
+using FloatLanes [[gnu::vector_size(64)]] = float;
 /// kLanes whole numbers.
 using IntLanes [[gnu::vector_size(64)]] = int;
 
-/// kLanes complex numbers. The alignment is said, since g++ gives a plain Lanes that of the target
-/// in force where it is first seen.
+/// kLanes complex numbers. The alignment is said, since g++ gives a plain FloatLanes that of the
+/// target in force where it is first seen.
 struct alignas(64) ComplexLanes {
-  Lanes re, im;
+  FloatLanes re, im;
 };
 
 #define PACER_INLINE [[gnu::always_inline]] inline

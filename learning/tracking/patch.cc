@@ -48,34 +48,34 @@ PACER_INLINE IntLanes words_at(const std::uint8_t* base, const IntLanes& offsets
 }
 
 PACER_INLINE void sample_body(const Walk& walk, int rows, int blocks, float* to) {
-  Lanes column;
+  FloatLanes column;
   for (std::size_t lane = 0; lane < kLanes; ++lane) column[lane] = static_cast<float>(lane);
   const std::size_t stride = static_cast<std::size_t>(blocks) * kLanes;
   for (int row = 0; row < rows; ++row) {
     const auto down = static_cast<float>(row);
     for (int block = 0; block < blocks; ++block) {
-      const Lanes along = column + static_cast<float>(block) * float{kLanes};
-      Lanes x = walk.x - down * walk.dv + along * walk.du;
-      Lanes y = walk.y + down * walk.du + along * walk.dv;
-      x = x < 0.0F ? Lanes{} : x;
-      y = y < 0.0F ? Lanes{} : y;
-      x = x > walk.last_x ? Lanes{} + walk.last_x : x;
-      y = y > walk.last_y ? Lanes{} + walk.last_y : y;
+      const FloatLanes along = column + static_cast<float>(block) * float{kLanes};
+      FloatLanes x = walk.x - down * walk.dv + along * walk.du;
+      FloatLanes y = walk.y + down * walk.du + along * walk.dv;
+      x = x < 0.0F ? FloatLanes{} : x;
+      y = y < 0.0F ? FloatLanes{} : y;
+      x = x > walk.last_x ? FloatLanes{} + walk.last_x : x;
+      y = y > walk.last_y ? FloatLanes{} + walk.last_y : y;
       const IntLanes left = __builtin_convertvector(x, IntLanes);
       const IntLanes top = __builtin_convertvector(y, IntLanes);
-      const Lanes right = x - __builtin_convertvector(left, Lanes);
-      const Lanes low = y - __builtin_convertvector(top, Lanes);
+      const FloatLanes right = x - __builtin_convertvector(left, FloatLanes);
+      const FloatLanes low = y - __builtin_convertvector(top, FloatLanes);
       const IntLanes offsets = top * walk.stride + left;
       // Each holds a pixel and its right neighbour.
       const IntLanes upper = words_at(walk.pixels, offsets);
       const IntLanes lower = words_at(walk.pixels + walk.stride, offsets);
-      const Lanes a = __builtin_convertvector(upper & 255, Lanes);
-      const Lanes b = __builtin_convertvector((upper >> 8) & 255, Lanes);
-      const Lanes c = __builtin_convertvector(lower & 255, Lanes);
-      const Lanes d = __builtin_convertvector((lower >> 8) & 255, Lanes);
-      const Lanes over = a + right * (b - a);
-      const Lanes under = c + right * (d - c);
-      const Lanes value = over + low * (under - over);
+      const FloatLanes a = __builtin_convertvector(upper & 255, FloatLanes);
+      const FloatLanes b = __builtin_convertvector((upper >> 8) & 255, FloatLanes);
+      const FloatLanes c = __builtin_convertvector(lower & 255, FloatLanes);
+      const FloatLanes d = __builtin_convertvector((lower >> 8) & 255, FloatLanes);
+      const FloatLanes over = a + right * (b - a);
+      const FloatLanes under = c + right * (d - c);
+      const FloatLanes value = over + low * (under - over);
       std::memcpy(
           to + static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(block) * kLanes,
           &value, sizeof value);
@@ -89,21 +89,27 @@ struct PatchLoops {
   void (*sample)(const Walk& walk, int rows, int blocks, float* to);
 };
 
-#define PACER_PATCH_LOOPS(Kind, Target)                                                  \
-  struct Kind {                                                                          \
-    Target static void halve(const std::uint8_t* from, std::ptrdiff_t stride, int width, \
-                             int height, std::uint8_t* to, std::ptrdiff_t to_stride) {   \
-      halve_body(from, stride, width, height, to, to_stride);                            \
-    }                                                                                    \
-    Target static void sample(const Walk& walk, int rows, int blocks, float* to) {       \
-      sample_body(walk, rows, blocks, to);                                               \
-    }                                                                                    \
-    static constexpr PatchLoops kLoops{halve, sample};                                   \
+#define PACER_PATCH_LOOPS(Kind)                                                                \
+  struct Kind {                                                                                \
+    PACER_TARGET static void halve(const std::uint8_t* from, std::ptrdiff_t stride, int width, \
+                                   int height, std::uint8_t* to, std::ptrdiff_t to_stride) {   \
+      halve_body(from, stride, width, height, to, to_stride);                                  \
+    }                                                                                          \
+    PACER_TARGET static void sample(const Walk& walk, int rows, int blocks, float* to) {       \
+      sample_body(walk, rows, blocks, to);                                                     \
+    }                                                                                          \
+    static constexpr PatchLoops kLoops{halve, sample};                                         \
   }
-PACER_PATCH_LOOPS(AnyProcessor, );
+#define PACER_TARGET
+PACER_PATCH_LOOPS(AnyProcessor);
+#undef PACER_TARGET
 #ifdef __x86_64__
-PACER_PATCH_LOOPS(Avx2, [[gnu::target("avx2")]]);
-PACER_PATCH_LOOPS(Avx512, [[gnu::target(PACER_AVX512)]]);
+#define PACER_TARGET [[gnu::target("avx2")]]
+PACER_PATCH_LOOPS(Avx2);
+#undef PACER_TARGET
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
+PACER_PATCH_LOOPS(Avx512);
+#undef PACER_TARGET
 #else
 using Avx2 = AnyProcessor;
 using Avx512 = AnyProcessor;

@@ -30,7 +30,7 @@ constexpr std::array<std::size_t, kGrid> kReversed = [] {
 }();
 
 PACER_INLINE void turn(ComplexLanes& x, std::complex<float> by) {
-  const Lanes re = x.re * by.real() - x.im * by.imag();
+  const FloatLanes re = x.re * by.real() - x.im * by.imag();
   x.im = x.re * by.imag() + x.im * by.real();
   x.re = re;
 }
@@ -38,8 +38,8 @@ PACER_INLINE void turn(ComplexLanes& x, std::complex<float> by) {
 /// x = a + b and y = a - b; x and y may be a and b.
 PACER_INLINE void add_and_subtract(const ComplexLanes& a, const ComplexLanes& b, ComplexLanes& x,
                                    ComplexLanes& y) {
-  const Lanes re = a.re - b.re;
-  const Lanes im = a.im - b.im;
+  const FloatLanes re = a.re - b.re;
+  const FloatLanes im = a.im - b.im;
   x.re = a.re + b.re;
   x.im = a.im + b.im;
   y.re = re;
@@ -51,7 +51,7 @@ template <bool kBack>
 PACER_INLINE void butterfly4(ComplexLanes& a, ComplexLanes& b, ComplexLanes& c, ComplexLanes& d) {
   add_and_subtract(a, c, a, c);
   add_and_subtract(b, d, b, d);
-  const Lanes re = d.re;  // b - d turns by a right angle: by -i, or back by i
+  const FloatLanes re = d.re;  // b - d turns by a right angle: by -i, or back by i
   d.re = kBack ? -d.im : d.im;
   d.im = kBack ? re : -re;
   add_and_subtract(a, b, a, b);  // the first and the third
@@ -132,7 +132,7 @@ PACER_INLINE void back_body(ComplexLanes* cells, const CellRange& wanted) {
   }
 }
 
-PACER_INLINE float sum_of(const Lanes& lanes) {
+PACER_INLINE float sum_of(const FloatLanes& lanes) {
   std::array<float, kLanes> sums;
   for (std::size_t i = 0; i < kLanes; ++i) sums[i] = lanes[i];
   for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
@@ -207,34 +207,40 @@ struct SpectrumLoops {
   void (*plane_back)(std::complex<float>* plane, float* into);
 };
 
-#define PACER_SPECTRUM_LOOPS(Kind, Target)                                                       \
-  struct Kind {                                                                                  \
-    Target static void forward(ComplexLanes* cells, const CellRange& filled) {                   \
-      forward_body(cells, filled);                                                               \
-    }                                                                                            \
-    Target static void back(ComplexLanes* cells, const CellRange& wanted) {                      \
-      back_body(cells, wanted);                                                                  \
-    }                                                                                            \
-    Target static void products(const ComplexLanes* a, const ComplexLanes* b,                    \
-                                std::complex<float>* sums) {                                     \
-      products_body(a, b, sums);                                                                 \
-    }                                                                                            \
-    Target static void multiply(const std::complex<float>* factor, const ComplexLanes* map,      \
-                                ComplexLanes* into) {                                            \
-      multiply_body(factor, map, into);                                                          \
-    }                                                                                            \
-    Target static void blend(ComplexLanes* map, const ComplexLanes* other, float rate) {         \
-      blend_body(map, other, rate);                                                              \
-    }                                                                                            \
-    Target static void plane_back(std::complex<float>* plane, float* into) {                     \
-      plane_back_body(plane, into);                                                              \
-    }                                                                                            \
-    static constexpr SpectrumLoops kLoops{forward, back, products, multiply, blend, plane_back}; \
+#define PACER_SPECTRUM_LOOPS(Kind)                                                                \
+  struct Kind {                                                                                   \
+    PACER_TARGET static void forward(ComplexLanes* cells, const CellRange& filled) {              \
+      forward_body(cells, filled);                                                                \
+    }                                                                                             \
+    PACER_TARGET static void back(ComplexLanes* cells, const CellRange& wanted) {                 \
+      back_body(cells, wanted);                                                                   \
+    }                                                                                             \
+    PACER_TARGET static void products(const ComplexLanes* a, const ComplexLanes* b,               \
+                                      std::complex<float>* sums) {                                \
+      products_body(a, b, sums);                                                                  \
+    }                                                                                             \
+    PACER_TARGET static void multiply(const std::complex<float>* factor, const ComplexLanes* map, \
+                                      ComplexLanes* into) {                                       \
+      multiply_body(factor, map, into);                                                           \
+    }                                                                                             \
+    PACER_TARGET static void blend(ComplexLanes* map, const ComplexLanes* other, float rate) {    \
+      blend_body(map, other, rate);                                                               \
+    }                                                                                             \
+    PACER_TARGET static void plane_back(std::complex<float>* plane, float* into) {                \
+      plane_back_body(plane, into);                                                               \
+    }                                                                                             \
+    static constexpr SpectrumLoops kLoops{forward, back, products, multiply, blend, plane_back};  \
   }
-PACER_SPECTRUM_LOOPS(AnyProcessor, );
+#define PACER_TARGET
+PACER_SPECTRUM_LOOPS(AnyProcessor);
+#undef PACER_TARGET
 #ifdef __x86_64__
-PACER_SPECTRUM_LOOPS(Avx2, [[gnu::target("avx2")]]);
-PACER_SPECTRUM_LOOPS(Avx512, [[gnu::target(PACER_AVX512)]]);
+#define PACER_TARGET [[gnu::target("avx2")]]
+PACER_SPECTRUM_LOOPS(Avx2);
+#undef PACER_TARGET
+#define PACER_TARGET [[gnu::target(PACER_AVX512)]]
+PACER_SPECTRUM_LOOPS(Avx512);
+#undef PACER_TARGET
 #else
 using Avx2 = AnyProcessor;
 using Avx512 = AnyProcessor;

@@ -21,7 +21,8 @@ struct Hud {
 /// Draws `annotations` over `frame`, magnified `scale` (1 to 8) times, into `into`, whose memory is
 /// kept. Every mark has a dark rim, so that it reads on any background; tones are colours: white
 /// (neutral), green (matched), orange (target), grey (ignored). Patches stand in a row along its
-/// bottom. Marks that are not finite or far outside are left out. Throws std::invalid_argument for a frame whose bytes do not fit its size.
+/// bottom. Marks that are not finite or far outside are left out. Throws std::invalid_argument for
+/// a frame whose bytes do not fit its size.
 void draw(const Frame& frame, const Annotations& annotations, Frame& into, int scale = 2);
 
 /// The same with a strip above it, clear of a player's controls, that shows steering (left is left)

@@ -3,7 +3,7 @@
 
 import math
 
-from pacer_command import SCENARIO, CommandTest, main
+from pacer_command import BAD_USAGE, SCENARIO, CommandTest, main, run
 
 
 def write_picture(file, shift):
@@ -38,6 +38,16 @@ class Study(CommandTest):
         for result in results:
             del result["figures"]["seconds"]
         self.assertEqual(results[0]["figures"], results[1]["figures"])
+
+    def test_tracking_says_what_is_wrong_with_its_sequences_before_any_work(self):
+        (self.scratch / "empty").mkdir()
+        for folder, why in [("nowhere", "no such folder"), ("empty", "no sequences")]:
+            result = run("study", "tracking", "--scenario", SCENARIO, "--sequences",
+                         self.scratch / folder, "--cache", self.scratch / "cache")
+            self.assertEqual(result.returncode, BAD_USAGE)
+            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+            self.assertIn(why, result.stderr)
+        self.assertFalse((self.scratch / "cache").exists())
 
 
 if __name__ == "__main__":

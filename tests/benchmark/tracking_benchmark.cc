@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "learning/tracking/linear_predictor.h"
 #include "learning/tracking/learning_loops.h"
+#include "learning/tracking/linear_predictor.h"
 #include "learning/tracking/tracker.h"
 #include "tests/learning/tracking/texture.h"
 

@@ -24,6 +24,11 @@ std::array<cv::Point, 4> corners(const cv::Rect& region, const cv::Size& size) {
   return {region.tl(), cv::Point(last.x, region.y), cv::Point(region.x, last.y), last};
 }
 
+void PatchSearch::make_room(std::size_t pixels) {
+  margins_.reserve(pixels);
+  smooth_.reserve(pixels);
+}
+
 Found PatchSearch::best(const StrongClassifier& classifier, const IntegralImage& image,
                         const cv::Rect& region, const cv::Size& size) {
   const auto step_of = [](int side) { return std::max(1, (side + 50) / 100); };

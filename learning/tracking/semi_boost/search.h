@@ -26,6 +26,9 @@ struct Found {
 /// Keeps its memory.
 class PatchSearch {
  public:
+  /// Makes room for the patches of a region of this many pixels.
+  void make_room(std::size_t pixels);
+
   /// The best of the patches of `size` in `region`, which holds one or more. Votes tie and flicker:
   /// margins are smoothed over neighbours.
   [[nodiscard]] Found best(const StrongClassifier& classifier, const IntegralImage& image,

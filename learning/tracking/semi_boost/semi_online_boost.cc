@@ -40,6 +40,7 @@ class SemiOnlineBoost final : public Tracker {
     prior_ =
         boost(samples.targets(), samples.background(), size, kPriorPool, kPriorRounds, features);
     online_.emplace(size, random.fork("online"));
+    search_.make_room(picture.grey.total());
     for (int pass = 0; pass < kLabelledPasses; ++pass) {
       const std::size_t pairs = std::max(samples.targets().size(), samples.background().size());
       for (std::size_t i = 0; i < pairs; ++i) {
