@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/tracking/peers/peer.h"
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
-#include <opencv2/core.hpp>
+#include <opencv2/core/mat.hpp>
+
+#include "learning/tracking/whole_pixels.h"
 
 namespace pacer::tracking {
-namespace {
-
-/// The whole pixels of `box` that lie in the picture; empty where there are none.
-cv::Rect pixels_in(const Box& box, const cv::Size& picture) {
-  const auto within = [](double edge, int size) {
-    return static_cast<int>(std::lround(std::clamp(edge, 0.0, static_cast<double>(size))));
-  };
-  return {cv::Point(within(box.left(), picture.width), within(box.top(), picture.height)),
-          cv::Point(within(box.left() + box.width, picture.width),
-                    within(box.top() + box.height, picture.height))};
-}
-
-}  // namespace
 
 void Peer::begin(const Picture& picture, const Box& target) {
   last_ = target;
   running_ = false;
-  const cv::Rect pixels = pixels_in(target, picture.grey.size());
+  const cv::Rect pixels = whole_pixels(target, picture.grey.size());
   if (pixels.empty()) return;
   try {
     running_ = start_library(picture, pixels);

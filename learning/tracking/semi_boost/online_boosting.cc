@@ -9,26 +9,25 @@ namespace {
 
 constexpr std::size_t kSelectors = 50;
 constexpr std::size_t kWeakOfEach = 30;
-constexpr double kNoise = 0.01;      // R of (14) in CVPR 2006
+constexpr double kNoise = 0.01;
 constexpr double kLeastGain = 0.01;  // the target keeps changing
 
 }  // namespace
 
-void OnlineBooster::Distribution::update(double value, double importance) {
-  // (13) to (16) of CVPR 2006. A sample of little importance is a noisy one.
+void OnlineBooster::Mean::update(double value, double importance) {
+  // A sample of little importance is a noisy one.
   const double noise = kNoise / importance;
   const double gain =
       std::max(uncertainty / (uncertainty + noise), kLeastGain * std::min(1.0, importance));
   mean += gain * (value - mean);
-  variance = gain * (value - mean) * (value - mean) + (1.0 - gain) * variance;
   uncertainty *= 1.0 - gain;
 }
 
 OnlineBooster::OnlineBooster(ImageSize size, Random random)
     : size_(size), random_(random), selectors_(kSelectors) {
   for (Selector& selector : selectors_) {
-    selector.weak.resize(kWeakOfEach);
-    for (Weak& weak : selector.weak) weak.feature = random_haar_feature(size_, random_);
+    selector.resize(kWeakOfEach);
+    for (Weak& weak : selector) weak.feature = random_haar_feature(size_, random_);
   }
 }
 
@@ -44,10 +43,10 @@ void OnlineBooster::learn(const PatchAt& patch, const Label& label) {
     double value_of_best = 0.0;
     Weak* best = nullptr;
     Weak* worst = nullptr;
-    for (Weak& weak : selector.weak) {
+    for (Weak& weak : selector) {
       const double value = static_cast<double>(weak.feature.value(patch));
       if (importance > 1e-6) {
-        (is_target ? weak.target : weak.background).update(value, importance);
+        (is_target ? weak.on_target : weak.on_background).update(value, importance);
         (weak.is_target(value) == is_target ? weak.right : weak.wrong) += importance;
       }
       if (best == nullptr || weak.error() < best->error()) {
@@ -65,7 +64,7 @@ void OnlineBooster::learn(const PatchAt& patch, const Label& label) {
       sum += best->is_target(value_of_best) ? alpha : -alpha;
       total += alpha;
     }
-    if (worst != best && worst->error() > 0.5) {
+    if (worst->error() > 0.5) {  // it would do better at random: make room for another
       *worst = Weak();
       worst->feature = random_haar_feature(size_, random_);
     }
@@ -78,8 +77,9 @@ void OnlineBooster::learn_labelled(const PatchAt& patch, bool is_target) {
 }
 
 void OnlineBooster::learn_unlabelled(const PatchAt& patch, double prior) {
-  // The pseudo-label is the sign, the importance the size of what the prior says beyond what has
-  // been learnt: z = tanh(H_P(x)) - tanh(H_{n-1}(x)).
+  // z = tanh(H_P(x)) - tanh(H_{n-1}(x)), what the prior says beyond what has been learnt: its sign
+  // is the pseudo-label, its size the importance. H is the share of the votes: their sum would
+  // leave tanh nothing but signs.
   learn(patch, [&](double margin) { return std::tanh(prior) - std::tanh(margin); });
 }
 

@@ -24,34 +24,33 @@ class OnlineBooster {
   [[nodiscard]] const StrongClassifier& classifier() const noexcept { return classifier_; }
 
  private:
-  /// A feature's values on one class: a Kalman filter of their mean and variance.
-  struct Distribution {
+  /// Of a feature's values on one class, by a Kalman filter.
+  struct Mean {
     double mean = 0.0;
-    double variance = 0.0;
     double uncertainty = 1000.0;
     void update(double value, double importance);
   };
+  /// A feature thresholded half way between its means, and what it got right and wrong so far.
   struct Weak {
     HaarFeature feature;
-    Distribution target, background;
+    Mean on_target, on_background;
     double right = 1.0;
     double wrong = 1.0;
     [[nodiscard]] double threshold() const noexcept {
-      return 0.5 * (target.mean + background.mean);
+      return 0.5 * (on_target.mean + on_background.mean);
     }
     [[nodiscard]] double sign() const noexcept {
-      return target.mean < background.mean ? -1.0 : 1.0;
+      return on_target.mean < on_background.mean ? -1.0 : 1.0;
     }
     [[nodiscard]] bool is_target(double value) const noexcept {
       return (value > threshold()) == (sign() > 0.0);
     }
     [[nodiscard]] double error() const noexcept { return wrong / (right + wrong); }
   };
-  struct Selector {
-    std::vector<Weak> weak;
-  };
+  using Selector = std::vector<Weak>;
 
-  /// Algorithm 1 of ECCV 2008; `label(h)` is the signed importance of a patch of margin h so far.
+  /// The algorithm of ECCV 2008, from selector to selector; `label(h)` is the signed importance of
+  /// a patch that those before have given the margin h.
   template <class Label>
   void learn(const PatchAt& patch, const Label& label);
 

@@ -2,18 +2,21 @@
 #include "learning/tracking/semi_boost/search.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pacer::tracking {
+namespace {
 
-cv::Rect part_in(const Box& box, const cv::Size& picture) {
-  const auto within = [](double edge, int size) {
-    return static_cast<int>(std::lround(std::clamp(edge, 0.0, static_cast<double>(size))));
-  };
-  return {cv::Point(within(box.left(), picture.width), within(box.top(), picture.height)),
-          cv::Point(within(box.left() + box.width, picture.width),
-                    within(box.top() + box.height, picture.height))};
+cv::Point step_of(const cv::Size& size) {
+  return {std::max(1, (size.width + 50) / 100), std::max(1, (size.height + 50) / 100)};
 }
+
+/// Steps across and down.
+cv::Size grid_of(const cv::Size& region, const cv::Size& size) {
+  const cv::Point step = step_of(size);
+  return {(region.width - size.width) / step.x + 1, (region.height - size.height) / step.y + 1};
+}
+
+}  // namespace
 
 cv::Rect twice(const cv::Rect& patch) {
   return {patch.x - patch.width / 2, patch.y - patch.height / 2, 2 * patch.width, 2 * patch.height};
@@ -24,17 +27,18 @@ std::array<cv::Point, 4> corners(const cv::Rect& region, const cv::Size& size) {
   return {region.tl(), cv::Point(last.x, region.y), cv::Point(region.x, last.y), last};
 }
 
-void PatchSearch::make_room(std::size_t pixels) {
-  margins_.reserve(pixels);
-  smooth_.reserve(pixels);
+void PatchSearch::reserve(const cv::Size& region, const cv::Size& size) {
+  const auto places = static_cast<std::size_t>(grid_of(region, size).area());
+  margins_.reserve(places);
+  smooth_.reserve(places);
 }
 
 Found PatchSearch::best(const StrongClassifier& classifier, const IntegralImage& image,
                         const cv::Rect& region, const cv::Size& size) {
-  const auto step_of = [](int side) { return std::max(1, (side + 50) / 100); };
-  const cv::Point step(step_of(size.width), step_of(size.height));
-  const int columns = (region.width - size.width) / step.x + 1;
-  const int rows = (region.height - size.height) / step.y + 1;
+  const cv::Point step = step_of(size);
+  const cv::Size grid = grid_of(region.size(), size);
+  const int columns = grid.width;
+  const int rows = grid.height;
   const auto place = [&](int row, int column) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(column);

@@ -5,13 +5,10 @@
 #include <opencv2/core/types.hpp>
 #include <vector>
 
-#include "core/box.h"
 #include "learning/tracking/semi_boost/strong_classifier.h"
 
 namespace pacer::tracking {
 
-/// The whole pixels of `box` that lie in the picture; empty where there are none.
-[[nodiscard]] cv::Rect part_in(const Box& box, const cv::Size& picture);
 /// Of the same centre and twice the size.
 [[nodiscard]] cv::Rect twice(const cv::Rect& patch);
 /// The top-left pixels of the patches of `size` in the four corners of `region`, which holds them.
@@ -26,8 +23,8 @@ struct Found {
 /// Keeps its memory.
 class PatchSearch {
  public:
-  /// Makes room for the patches of a region of this many pixels.
-  void make_room(std::size_t pixels);
+  /// Makes room for regions up to this size.
+  void reserve(const cv::Size& region, const cv::Size& size);
 
   /// The best of the patches of `size` in `region`, which holds one or more. Votes tie and flicker:
   /// margins are smoothed over neighbours.

@@ -2,7 +2,6 @@
 #include "learning/tracking/semi_boost/semi_online_boost.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "learning/tracking/semi_boost/offline_boosting.h"
 #include "learning/tracking/semi_boost/online_boosting.h"
 #include "learning/tracking/semi_boost/search.h"
+#include "learning/tracking/whole_pixels.h"
 
 namespace pacer::tracking {
 namespace {
@@ -27,7 +27,7 @@ class SemiOnlineBoost final : public Tracker {
   void begin(const Picture& picture, const Box& target) override {
     const Random random(seed_);
     online_.reset();
-    patch_ = part_in(target, picture.grey.size());
+    patch_ = whole_pixels(target, picture.grey.size());
     box_ = target;
     from_patch_ = cv::Point2d(target.x - patch_.x, target.y - patch_.y);
     found_ = true;
@@ -40,7 +40,8 @@ class SemiOnlineBoost final : public Tracker {
     prior_ =
         boost(samples.targets(), samples.background(), size, kPriorPool, kPriorRounds, features);
     online_.emplace(size, random.fork("online"));
-    search_.make_room(picture.grey.total());
+    image_.set(picture.grey);
+    search_.reserve(picture.grey.size(), patch_.size());
     for (int pass = 0; pass < kLabelledPasses; ++pass) {
       const std::size_t pairs = std::max(samples.targets().size(), samples.background().size());
       for (std::size_t i = 0; i < pairs; ++i) {

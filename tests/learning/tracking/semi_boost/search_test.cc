@@ -8,13 +8,6 @@
 namespace pacer::tracking {
 namespace {
 
-TEST(PartIn, IsTheWholePixelsWithinThePicture) {
-  EXPECT_EQ(part_in(Box::of_pixels(2.4, 3.6, 10.0, 10.0), {40, 30}), cv::Rect(2, 4, 10, 10));
-  EXPECT_EQ(part_in(Box::of_pixels(-5.0, 25.0, 10.0, 10.0), {40, 30}), cv::Rect(0, 25, 5, 5));
-  EXPECT_EQ(part_in(Box::of_pixels(-1e9, -1e9, 3e9, 3e9), {40, 30}), cv::Rect(0, 0, 40, 30));
-  EXPECT_TRUE(part_in(Box::of_pixels(39.6, 5.0, 3.0, 3.0), {40, 30}).empty());
-}
-
 TEST(Corners, HoldThePatchInTheRegion) {
   EXPECT_EQ(twice({20, 30, 10, 7}), cv::Rect(15, 27, 20, 14));
   const auto found = corners({5, 6, 20, 14}, {10, 7});
