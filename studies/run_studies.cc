@@ -142,7 +142,7 @@ std::string to_text(const ordered_json& result) {
   for (const auto& [name, value] : result["figures"].items()) {
     const std::string shown =
         value.is_number_float() ? fmt::format("{:.4g}", value.get<double>()) : value.dump();
-    if (shown.size() <= kLongest) text += fmt::format("  {:<28}{}\n", name, shown);
+    if (shown.size() <= kLongest) text += fmt::format("  {:<28} {}\n", name, shown);
   }
   for (const ordered_json& claim : result["claims"]) {
     text += fmt::format("  {} {}: {:.4g}, claimed {}\n",

@@ -39,7 +39,7 @@ const std::vector<InsideFigure>& figures() {
       {.heading = "Figure 4.4: aspects of a head",
        .tracker = "LP-SMAT",
        .sequence = "head-motion",
-       .drawn = {150, 350},
+       .drawn = {100, 350},
        .about = aspects + "From side, front and behind a mug."},
       {.heading = "Figure 4.9: aspects of a car",
        .tracker = "LP-SMAT",
@@ -63,7 +63,7 @@ const std::vector<InsideFigure>& figures() {
       {.heading = "Figure 4.15: predictors replaced",
        .tracker = "LP-MED",
        .sequence = "head-motion",
-       .drawn = {80, 200, 320, 420},
+       .drawn = {60, 120, 150, 350},
        .about = "LP-MED's predictors as points; with the range of their support the one that did "
                 "worst in this picture, and the one that was learnt from it.",
        .with_clusters = true}};
