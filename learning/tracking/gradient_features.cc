@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kHalves = 2 * kGrid;    // half cells along a side
 constexpr std::size_t kBordered = kGrid + 2;  // cells along a side, with a border
+constexpr std::size_t kCorners = kGrid + 1;   // of cells, along a side
 constexpr std::size_t kSamples = GradientFeatures::kSide;
 constexpr float kClip = 0.2F;
 constexpr float kFloor = 2.5F;  // energy that counts as none, of intensities in 0 to 255
@@ -81,12 +82,6 @@ PACER_INLINE void pool_row(const HalfCells* const* halves, ComplexLanes* cells) 
   }
 }
 
-PACER_INLINE float sum_of(const FloatLanes& lanes) {
-  float sum = 0.0F;
-  for (std::size_t i = 0; i < kLanes; ++i) sum += lanes[i];
-  return sum;
-}
-
 /// Directions that differ by half a turn are one orientation: it stands in both halves.
 PACER_INLINE FloatLanes orientations(const FloatLanes& directions) {
   return directions + __builtin_shufflevector(directions, directions, 8, 9, 10, 11, 12, 13, 14, 15,
@@ -98,27 +93,21 @@ PACER_INLINE FloatLanes clipped(const FloatLanes& values) {
   return values < limit ? values : limit;
 }
 
-PACER_INLINE void describe_cell(const FloatLanes& directions, const float* inverse_norms,
-                                float intensity, float fade, ComplexLanes& into) {
-  const FloatLanes both = orientations(directions);
-  FloatLanes directed{};
-  FloatLanes oriented{};
-  std::array<float, 4> energies;
-  for (std::size_t n = 0; n < 4; ++n) {
-    const FloatLanes part = clipped(directions * inverse_norms[n]);
-    directed += part;
-    oriented += clipped(both * inverse_norms[n]);
-    energies[n] = sum_of(part);
+/// Sixteen cells' energies, all directions together.
+PACER_INLINE void energies_of(const ComplexLanes* cells, float* energies) {
+  std::array<ComplexLanes, kLanes / 2> squares;
+  for (std::size_t i = 0; i < kLanes / 2; ++i) {
+    const FloatLanes low = orientations(cells[i].re);
+    const FloatLanes high = orientations(cells[i + kLanes / 2].re);
+    squares[i] = {0.5F * (low * low), 0.5F * (high * high)};
   }
-  into.re = directed * (0.5F * fade);
-  into.im = oriented * (0.5F * fade);
-  for (std::size_t n = 0; n < 4; ++n) into.im[8 + n] = 0.25F * fade * energies[n];
-  into.im[12] = fade * intensity;
-  for (std::size_t n = 13; n < kLanes; ++n) into.im[n] = 0.0F;
+  alignas(64) std::array<float, kLanes> sums;
+  sums_of(squares, sums.data());
+  std::memcpy(energies, sums.data(), sizeof sums);
 }
 
-PACER_INLINE void describe_body(const float* samples, std::size_t stride, const float* window,
-                                ComplexLanes* cells, float* energy, FeatureMap& map) {
+/// Directions in all cells.
+PACER_INLINE void count_directions(const float* samples, std::size_t stride, ComplexLanes* cells) {
   std::array<HalfCells, 4> ring;
   for (std::size_t half = 0; half <= kHalves; ++half) {
     if (half < kHalves) {
@@ -132,31 +121,83 @@ PACER_INLINE void describe_body(const float* samples, std::size_t stride, const 
     const std::array<const HalfCells*, 4> rows = {r > 0 ? &ring[(2 * r - 1) % 4] : nullptr,
                                                   &ring[2 * r % 4], &ring[(2 * r + 1) % 4],
                                                   half < kHalves ? &ring[half % 4] : nullptr};
-    pool_row(rows.data(), cells + (r + 1) * kBordered + 1);
+    pool_row(rows.data(), cells + r * kGrid);
   }
-  for (std::size_t r = 1; r <= kGrid; ++r) {
-    for (std::size_t c = 1; c <= kGrid; ++c) {
-      const FloatLanes both = orientations(cells[r * kBordered + c].re);
-      energy[r * kBordered + c] = 0.5F * sum_of(both * both);
-    }
+}
+
+/// One over the norm of the four cells around each corner in a row of them.
+PACER_INLINE void invert_norms(const float* energy, float* inverse_norms) {
+  for (std::size_t c = 0; c < kCorners; ++c) {
+    inverse_norms[c] = 1.0F / std::sqrt(energy[c] + energy[c + 1] + energy[kBordered + c] +
+                                        energy[kBordered + c + 1] + kFloor);
   }
-  for (std::size_t r = 0; r < kGrid; ++r) {
-    for (std::size_t c = 0; c < kGrid; ++c) {
-      std::array<float, 4> inverse_norms;
+}
+
+/// Mean intensities of a row of cells, -0.5 to 0.5.
+PACER_INLINE void measure_intensities(const float* samples, std::size_t stride,
+                                      float* intensities) {
+  std::array<float, kSamples> sums;
+  for (std::size_t x = 0; x < kSamples; ++x) {
+    sums[x] = samples[x] + samples[stride + x] + samples[2 * stride + x] + samples[3 * stride + x];
+  }
+  for (std::size_t c = 0; c < kGrid; ++c) {
+    const float sum = sums[4 * c] + sums[4 * c + 1] + sums[4 * c + 2] + sums[4 * c + 3];
+    intensities[c] = sum * (1.0F / (16.0F * 255.0F)) - 0.5F;
+  }
+}
+
+/// A row of cells, from their directions: sixteen at a time, for the sums towards their corners.
+PACER_INLINE void describe_row(const ComplexLanes* cells, const float* above, const float* below,
+                               const float* intensities, const float* fades, ComplexLanes* into) {
+  for (std::size_t first = 0; first < kGrid; first += kLanes) {
+    std::array<std::array<ComplexLanes, kLanes / 2>, 4> parts;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const std::size_t c = first + i;
+      const FloatLanes directions = cells[c].re;
+      const FloatLanes both = orientations(directions);
+      FloatLanes directed{};
+      FloatLanes oriented{};
+      const std::array inverse_norms = {above[c], above[c + 1], below[c], below[c + 1]};
       for (std::size_t n = 0; n < 4; ++n) {
-        const float* const block = energy + (r + n / 2) * kBordered + c + n % 2;
-        inverse_norms[n] = 1.0F / std::sqrt(block[0] + block[1] + block[kBordered] +
-                                            block[kBordered + 1] + kFloor);
+        const FloatLanes part = clipped(directions * inverse_norms[n]);
+        directed += part;
+        oriented += clipped(both * inverse_norms[n]);
+        (i < kLanes / 2 ? parts[n][i].re : parts[n][i - kLanes / 2].im) = part;
       }
-      float intensity = 0.0F;
-      for (std::size_t y = 0; y < 4; ++y) {
-        const float* const at = samples + (4 * r + y) * stride + 4 * c;
-        intensity += at[0] + at[1] + at[2] + at[3];
-      }
-      describe_cell(cells[(r + 1) * kBordered + c + 1].re, inverse_norms.data(),
-                    intensity * (1.0F / (16.0F * 255.0F)) - 0.5F, window[r] * window[c],
-                    map.cells[r * FeatureMap::kStride + c]);
+      into[c].re = directed * (0.5F * fades[c]);
+      into[c].im = oriented * (0.5F * fades[c]);
     }
+    alignas(64) std::array<std::array<float, kLanes>, 4> energies;
+    for (std::size_t n = 0; n < 4; ++n) sums_of(parts[n], energies[n].data());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const std::size_t c = first + i;
+      std::array<float, kLanes / 2> others{};
+      for (std::size_t n = 0; n < 4; ++n) others[n] = 0.25F * fades[c] * energies[n][i];
+      others[4] = fades[c] * intensities[c];
+      std::memcpy(reinterpret_cast<char*>(&into[c].im) + sizeof others, others.data(),
+                  sizeof others);
+    }
+  }
+}
+
+PACER_INLINE void describe_body(const float* samples, std::size_t stride, const float* window,
+                                ComplexLanes* cells, float* energy, FeatureMap& map) {
+  count_directions(samples, stride, cells);
+  for (std::size_t r = 0; r < kGrid; ++r) {
+    for (std::size_t c = 0; c < kGrid; c += kLanes) {
+      energies_of(cells + r * kGrid + c, energy + (r + 1) * kBordered + c + 1);
+    }
+  }
+  std::array<std::array<float, kCorners>, 2> inverse_norms;  // above and below a row, in turn
+  std::array<float, kGrid> intensities;
+  std::array<float, kGrid> fades;
+  invert_norms(energy, inverse_norms[0].data());
+  for (std::size_t r = 0; r < kGrid; ++r) {
+    invert_norms(energy + (r + 1) * kBordered, inverse_norms[(r + 1) % 2].data());
+    measure_intensities(samples + 4 * r * stride, stride, intensities.data());
+    for (std::size_t c = 0; c < kGrid; ++c) fades[c] = window[r] * window[c];
+    describe_row(cells + r * kGrid, inverse_norms[r % 2].data(), inverse_norms[(r + 1) % 2].data(),
+                 intensities.data(), fades.data(), &map.at(r, 0));
   }
 }
 
@@ -184,7 +225,7 @@ constexpr std::array<Describe, 1> kDescribe{describe_any};
 
 }  // namespace
 
-GradientFeatures::GradientFeatures() : cells_(kBordered * kBordered) {
+GradientFeatures::GradientFeatures() : cells_(kGrid * kGrid) {
   for (std::size_t i = 0; i < kGrid; ++i) {
     const double turn = 2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / double{kGrid};
     window_[i] = static_cast<float>(0.5 - 0.5 * std::cos(turn));

@@ -24,8 +24,8 @@ class GradientFeatures {
   void describe(const Patch& patch, FeatureMap& map);
 
  private:
-  std::vector<ComplexLanes> cells_;  // directions in `re`; one more on every side
-  std::array<float, (kGrid + 2) * (kGrid + 2)> energy_{};
+  std::vector<ComplexLanes> cells_;                        // directions in `re`
+  std::array<float, (kGrid + 2) * (kGrid + 2)> energy_{};  // with a border of zeros
   std::array<float, kGrid> window_{};
 };
 

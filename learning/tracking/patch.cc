@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
 
 #include "learning/tracking/lanes.h"
 
@@ -12,15 +15,13 @@ namespace pacer::tracking {
 namespace {
 
 constexpr int kMostLevels = 12;
-constexpr int kSlop = 4;  // bytes behind a level's last pixel that a gather may read
-
 /// What sampling needs of a level, in its pixels: start and steps of the walk, and its bounds.
 struct Walk {
   float x = 0.0F, y = 0.0F;    // of the first sample
   float du = 0.0F, dv = 0.0F;  // x goes by du a column and -dv a row, y by dv and du
   float last_x = 0.0F, last_y = 0.0F;
-  const std::uint8_t* pixels = nullptr;
-  int stride = 0;
+  const std::uint8_t* pairs = nullptr;
+  int stride = 0;  // pairs
 };
 
 PACER_INLINE void halve_body(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
@@ -36,17 +37,48 @@ PACER_INLINE void halve_body(const std::uint8_t* from, std::ptrdiff_t stride, in
   }
 }
 
-/// Four bytes from each of sixteen places: plain loads are as fast as gathers, and safe anywhere.
-PACER_INLINE IntLanes words_at(const std::uint8_t* base, const IntLanes& offsets) {
-  alignas(64) std::array<std::int32_t, kLanes> at;
-  alignas(64) std::array<std::int32_t, kLanes> found;
-  std::memcpy(at.data(), &offsets, sizeof at);
-  for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&found[i], base + at[i], sizeof found[i]);
-  IntLanes words;
-  std::memcpy(&words, found.data(), sizeof words);
-  return words;
+/// Pixels and those below them; the last column once more.
+PACER_INLINE void pair_body(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
+                            std::uint8_t* to) {
+  for (int row = 0; row < height; ++row) {
+    const std::uint8_t* const above = from + row * stride;
+    const std::uint8_t* const below = row + 1 < height ? above + stride : above;
+    std::uint8_t* const out = to + 2 * row * (width + 1);
+    for (int x = 0; x < width; ++x) {
+      out[2 * x] = above[x];
+      out[2 * x + 1] = below[x];
+    }
+    out[2 * width] = above[width - 1];
+    out[2 * width + 1] = below[width - 1];
+  }
 }
 
+/// Two pairs from each of sixteen places, by plain loads.
+struct Loads {
+  static inline void gather(const std::uint8_t* pairs, const IntLanes& places, IntLanes& found) {
+    alignas(64) std::array<std::int32_t, kLanes> at;
+    alignas(64) std::array<std::int32_t, kLanes> words;
+    std::memcpy(at.data(), &places, sizeof at);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      std::memcpy(&words[i], pairs + 2 * static_cast<std::ptrdiff_t>(at[i]), sizeof words[i]);
+    }
+    std::memcpy(&found, words.data(), sizeof found);
+  }
+};
+#ifdef __x86_64__
+/// The same by one instruction, which AVX2 has too, but no faster than loads.
+struct Avx512Gather {
+  [[gnu::target(PACER_AVX512)]] static inline void gather(const std::uint8_t* pairs,
+                                                          const IntLanes& places, IntLanes& found) {
+    __m512i at;
+    std::memcpy(&at, &places, sizeof at);
+    const __m512i words = _mm512_i32gather_epi32(at, pairs, 2);
+    std::memcpy(&found, &words, sizeof words);
+  }
+};
+#endif
+
+template <class Gather>
 PACER_INLINE void sample_body(const Walk& walk, int rows, int blocks, float* to) {
   FloatLanes column;
   for (std::size_t lane = 0; lane < kLanes; ++lane) column[lane] = static_cast<float>(lane);
@@ -65,14 +97,12 @@ PACER_INLINE void sample_body(const Walk& walk, int rows, int blocks, float* to)
       const IntLanes top = __builtin_convertvector(y, IntLanes);
       const FloatLanes right = x - __builtin_convertvector(left, FloatLanes);
       const FloatLanes low = y - __builtin_convertvector(top, FloatLanes);
-      const IntLanes offsets = top * walk.stride + left;
-      // Each holds a pixel and its right neighbour.
-      const IntLanes upper = words_at(walk.pixels, offsets);
-      const IntLanes lower = words_at(walk.pixels + walk.stride, offsets);
-      const FloatLanes a = __builtin_convertvector(upper & 255, FloatLanes);
-      const FloatLanes b = __builtin_convertvector((upper >> 8) & 255, FloatLanes);
-      const FloatLanes c = __builtin_convertvector(lower & 255, FloatLanes);
-      const FloatLanes d = __builtin_convertvector((lower >> 8) & 255, FloatLanes);
+      IntLanes around;  // the four pixels: a, c below it, b to its right, d below that one
+      Gather::gather(walk.pairs, top * walk.stride + left, around);
+      const FloatLanes a = __builtin_convertvector(around & 255, FloatLanes);
+      const FloatLanes c = __builtin_convertvector((around >> 8) & 255, FloatLanes);
+      const FloatLanes b = __builtin_convertvector((around >> 16) & 255, FloatLanes);
+      const FloatLanes d = __builtin_convertvector((around >> 24) & 255, FloatLanes);
       const FloatLanes over = a + right * (b - a);
       const FloatLanes under = c + right * (d - c);
       const FloatLanes value = over + low * (under - over);
@@ -86,29 +116,35 @@ PACER_INLINE void sample_body(const Walk& walk, int rows, int blocks, float* to)
 struct PatchLoops {
   void (*halve)(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
                 std::uint8_t* to, std::ptrdiff_t to_stride);
+  void (*pair)(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
+               std::uint8_t* to);
   void (*sample)(const Walk& walk, int rows, int blocks, float* to);
 };
 
-#define PACER_PATCH_LOOPS(Kind)                                                                \
+#define PACER_PATCH_LOOPS(Kind, Gather)                                                        \
   struct Kind {                                                                                \
     PACER_TARGET static void halve(const std::uint8_t* from, std::ptrdiff_t stride, int width, \
                                    int height, std::uint8_t* to, std::ptrdiff_t to_stride) {   \
       halve_body(from, stride, width, height, to, to_stride);                                  \
     }                                                                                          \
-    PACER_TARGET static void sample(const Walk& walk, int rows, int blocks, float* to) {       \
-      sample_body(walk, rows, blocks, to);                                                     \
+    PACER_TARGET static void pair(const std::uint8_t* from, std::ptrdiff_t stride, int width,  \
+                                  int height, std::uint8_t* to) {                              \
+      pair_body(from, stride, width, height, to);                                              \
     }                                                                                          \
-    static constexpr PatchLoops kLoops{halve, sample};                                         \
+    PACER_TARGET static void sample(const Walk& walk, int rows, int blocks, float* to) {       \
+      sample_body<Gather>(walk, rows, blocks, to);                                             \
+    }                                                                                          \
+    static constexpr PatchLoops kLoops{halve, pair, sample};                                   \
   }
 #define PACER_TARGET
-PACER_PATCH_LOOPS(AnyProcessor);
+PACER_PATCH_LOOPS(AnyProcessor, Loads);
 #undef PACER_TARGET
 #ifdef __x86_64__
 #define PACER_TARGET [[gnu::target("avx2")]]
-PACER_PATCH_LOOPS(Avx2);
+PACER_PATCH_LOOPS(Avx2, Loads);
 #undef PACER_TARGET
 #define PACER_TARGET [[gnu::target(PACER_AVX512)]]
-PACER_PATCH_LOOPS(Avx512);
+PACER_PATCH_LOOPS(Avx512, Avx512Gather);
 #undef PACER_TARGET
 #else
 using Avx2 = AnyProcessor;
@@ -142,12 +178,13 @@ Patch::Patch(int side_length)
       samples(static_cast<std::size_t>(side_length + 2 * kMargin) * stride) {}
 
 void RegionPyramid::make_room(const cv::Mat1b& image) {
-  levels_.resize(kMostLevels + 1);
-  for (std::size_t n = 0; n < levels_.size(); ++n) {
-    const auto width = static_cast<std::size_t>(image.cols >> n) + 2;
-    const auto height = static_cast<std::size_t>(image.rows >> n) + 2;
-    levels_[n].pixels.resize(width * height + kSlop);
-  }
+  const auto area = [&](int level) {
+    return (static_cast<std::size_t>(image.cols >> level) + 2) *
+           (static_cast<std::size_t>(image.rows >> level) + 2);
+  };
+  halved_.resize(kMostLevels);
+  for (int n = 0; n < kMostLevels; ++n) halved_[static_cast<std::size_t>(n)].resize(area(n + 1));
+  pairs_.resize(2 * area(0));
 }
 
 void RegionPyramid::take(const cv::Mat1b& image, const Similarity& pose, int side, double slack) {
@@ -171,40 +208,25 @@ void RegionPyramid::take(const cv::Mat1b& image, const Similarity& pose, int sid
 
   const std::uint8_t* from = image.ptr(region_.y) + region_.x;
   auto stride = static_cast<std::ptrdiff_t>(image.step);
-  int width = region_.width;
-  int height = region_.height;
-  for (int n = 0; n <= level_; ++n) {
-    if (n == 0 && level_ > 0) continue;  // the first halving reads the image itself
-    Level& level = levels_[static_cast<std::size_t>(n)];
-    level.width = n == 0 ? width : std::max(1, width / 2);
-    level.height = n == 0 ? height : std::max(1, height / 2);
-    // A pixel and a row more than there are: the border, once again.
-    level.stride = level.width + 1;
-    if (n == 0) {
-      for (int row = 0; row < height; ++row) {
-        std::copy_n(from + row * stride, width,
-                    &level.pixels[static_cast<std::size_t>(row * level.stride)]);
-      }
-    } else if (width >= 2 && height >= 2) {
-      loops().halve(from, stride, level.width, level.height, level.pixels.data(), level.stride);
+  width_ = region_.width;
+  height_ = region_.height;
+  for (int n = 0; n < level_; ++n) {
+    std::vector<std::uint8_t>& half = halved_[static_cast<std::size_t>(n)];
+    const bool narrow = width_ < 2 || height_ < 2;
+    width_ = std::max(1, width_ / 2);
+    height_ = std::max(1, height_ / 2);
+    if (narrow) {
+      std::fill(half.begin(), half.end(), *from);
     } else {
-      std::fill(level.pixels.begin(), level.pixels.end(), *from);
+      loops().halve(from, stride, width_, height_, half.data(), width_);
     }
-    std::uint8_t* const pixels = level.pixels.data();
-    for (int row = 0; row < level.height; ++row) {
-      pixels[row * level.stride + level.width] = pixels[row * level.stride + level.width - 1];
-    }
-    std::copy_n(pixels + (level.height - 1) * level.stride, level.stride,
-                pixels + level.height * level.stride);
-    from = pixels;
-    stride = level.stride;
-    width = level.width;
-    height = level.height;
+    from = half.data();
+    stride = width_;
   }
+  loops().pair(from, stride, width_, height_, pairs_.data());
 }
 
 void RegionPyramid::sample(const Similarity& pose, Patch& patch) const {
-  const Level& level = levels_[static_cast<std::size_t>(level_)];
   const double pixel = 1 << level_;
   const double half = 0.5 * (patch.side - 1) + Patch::kMargin;
   const double du = pose.scale * std::cos(pose.angle);
@@ -216,10 +238,10 @@ void RegionPyramid::sample(const Similarity& pose, Patch& patch) const {
                   .y = static_cast<float>((y + 0.5) / pixel - 0.5),
                   .du = static_cast<float>(du / pixel),
                   .dv = static_cast<float>(dv / pixel),
-                  .last_x = static_cast<float>(level.width - 1),
-                  .last_y = static_cast<float>(level.height - 1),
-                  .pixels = level.pixels.data(),
-                  .stride = level.stride};
+                  .last_x = static_cast<float>(width_ - 1),
+                  .last_y = static_cast<float>(height_ - 1),
+                  .pairs = pairs_.data(),
+                  .stride = width_ + 1};
   loops().sample(walk, patch.side + 2 * Patch::kMargin, static_cast<int>(patch.stride / kLanes),
                  patch.samples.data());
 }

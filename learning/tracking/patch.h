@@ -51,20 +51,18 @@ class RegionPyramid {
   [[nodiscard]] bool covers(const Similarity& pose, int side) const;
 
  private:
-  struct Level {
-    std::vector<std::uint8_t> pixels;
-    int width = 0, height = 0;
-    int stride = 0;
-  };
-
   /// Makes room for every level of an image of this size.
   void make_room(const cv::Mat1b& image);
 
   cv::Mat1b image_;
   cv::Rect region_;     // of the image; its corner is at multiples of the last level's pixel
-  int level_ = 0;       // halvings; 0: patches are sampled from a copy
+  int level_ = 0;       // halvings; 0: patches are sampled from the image's own pixels
   double scale_ = 1.0;  // of the pose it was taken for
-  std::vector<Level> levels_;
+  std::vector<std::vector<std::uint8_t>> halved_;  // all levels but the first and the last
+  // The last level: each pixel with the one below it, two bytes, so that four bytes hold all that
+  // lies around a sample; a column more than there are repeats the border.
+  std::vector<std::uint8_t> pairs_;
+  int width_ = 0, height_ = 0;  // of the last level
 };
 
 }  // namespace pacer::tracking

@@ -132,22 +132,28 @@ PACER_INLINE void back_body(ComplexLanes* cells, const CellRange& wanted) {
   }
 }
 
-PACER_INLINE float sum_of(const FloatLanes& lanes) {
-  std::array<float, kLanes> sums;
-  for (std::size_t i = 0; i < kLanes; ++i) sums[i] = lanes[i];
-  for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
-    for (std::size_t i = 0; i < half; ++i) sums[i] += sums[i + half];
-  }
-  return sums[0];
-}
-
 PACER_INLINE void products_body(const ComplexLanes* a, const ComplexLanes* b,
                                 std::complex<float>* sums) {
-  for (std::size_t r = 0; r < kGrid; ++r) {
-    for (std::size_t c = 0; c < kGrid; ++c) {
-      const ComplexLanes& x = a[r * kStride + c];
-      const ComplexLanes& y = b[r * kStride + c];
-      sums[r * kGrid + c] = {sum_of(x.re * y.re + x.im * y.im), sum_of(x.re * y.im - x.im * y.re)};
+  std::array<ComplexLanes, kLanes / 2> real;
+  std::array<ComplexLanes, kLanes / 2> imaginary;
+  alignas(64) std::array<float, kLanes> real_sums;
+  alignas(64) std::array<float, kLanes> imaginary_sums;
+  for (std::size_t block = 0; block < kGrid * kGrid; block += kLanes) {
+    const std::size_t first = block / kGrid * kStride + block % kGrid;
+    for (std::size_t i = 0; i < kLanes / 2; ++i) {
+      const ComplexLanes& x = a[first + i];
+      const ComplexLanes& y = b[first + i];
+      real[i].re = x.re * y.re + x.im * y.im;
+      imaginary[i].re = x.re * y.im - x.im * y.re;
+      const ComplexLanes& u = a[first + i + kLanes / 2];
+      const ComplexLanes& v = b[first + i + kLanes / 2];
+      real[i].im = u.re * v.re + u.im * v.im;
+      imaginary[i].im = u.re * v.im - u.im * v.re;
+    }
+    sums_of(real, real_sums.data());
+    sums_of(imaginary, imaginary_sums.data());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      sums[block + i] = {real_sums[i], imaginary_sums[i]};
     }
   }
 }
