@@ -45,7 +45,8 @@ endfunction()
 
 # pacer_test(NAME LABEL label... LIBS target... SOURCES file... [TOGETHER suite...] [TIMEOUT s]):
 # GoogleTest, a process a test, but for the suites of TOGETHER: their tests share what is costly to
-# make, so each such suite is one process.
+# make, so each such suite is one process. Under a sanitizer, where starting one costs more than most
+# tests do, a whole program is.
 function(pacer_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "LABEL;LIBS;SOURCES;TOGETHER" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -58,6 +59,11 @@ function(pacer_test name)
   endif()
   if(NOT "render" IN_LIST ARG_LABEL)
     add_dependencies(plain_tests ${name})
+  endif()
+  if(PACER_SANITIZE)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 900)
+    return()
   endif()
   set(apart "*")
   if(ARG_TOGETHER)
