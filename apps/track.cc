@@ -213,7 +213,8 @@ void add_track(CLI::App& app, const std::stop_token& stop) {
       app.add_subcommand("track", "Follow a target through pictures, and compare trackers");
   command
       ->add_option("SEQUENCE", options->sources,
-                   "Sequences (OTB, VOT, GOT-10k, TLD), folders of them, videos; or camera:0")
+                   "Sequences (OTB, VOT, GOT-10k, TLD), folders of them or of pictures, videos; "
+                   "or camera:0")
       ->required();
   command->add_option("--tracker", options->trackers,
                       "Trackers by name, or all (default: the first)");

@@ -116,18 +116,21 @@ void read_targets(const TruthFiles& truth, const std::vector<NumberedPicture>& p
   if (sequence.targets.size() == 1) sequence.targets.front().name.clear();
 }
 
+UsageError not_annotated(const fs::path& folder) {
+  return UsageError(fmt::format("{}: not annotated, so no sequence; add {}, a box a line",
+                                folder.string(), kTruths));
+}
+
 Sequence open_folder(const fs::path& folder) {
   const std::optional<TruthFiles> truth = find_truth(folder);
-  if (!truth) {
-    throw UsageError(fmt::format("{}: not annotated, so no sequence; add {}, a box a line",
-                                 folder.string(), kTruths));
-  }
   Sequence sequence;
   sequence.name = sequence_name(folder);
   sequence.path = folder;
-  sequence.layout = truth->layout;
-  const std::vector<NumberedPicture> pictures = find_pictures(folder, truth->layout);
-  if (pictures.empty()) {
+  if (truth) sequence.layout = truth->layout;
+  const std::vector<NumberedPicture> pictures = find_pictures(folder, sequence.layout);
+  if (!truth) {
+    if (pictures.empty()) throw not_annotated(folder);
+  } else if (pictures.empty()) {
     const auto video =
         truth->layout == SequenceLayout::kTld ? find_video(folder) : std::optional<fs::path>();
     if (!video) {
@@ -140,7 +143,7 @@ Sequence open_folder(const fs::path& folder) {
     static_cast<void>(VideoDecoder(*video));  // can be read
   }
   for (const NumberedPicture& picture : pictures) sequence.pictures.push_back(picture.path);
-  read_targets(*truth, pictures, sequence);
+  if (truth) read_targets(*truth, pictures, sequence);
   return sequence;
 }
 
@@ -185,7 +188,12 @@ std::vector<Sequence> find_sequences(const fs::path& folder) {
   }
   std::ranges::sort(inner);
   for (const fs::path& path : inner) {
-    if (looks_like_sequence(path)) sequences.push_back(Sequence::open(path));
+    if (!looks_like_sequence(path)) continue;
+    sequences.push_back(Sequence::open(path));
+    if (sequences.back().targets.empty()) throw not_annotated(path);
+  }
+  if (sequences.empty() && !find_pictures(folder, SequenceLayout::kOtb).empty()) {
+    sequences.push_back(Sequence::open(folder));
   }
   if (sequences.empty()) {
     throw UsageError(

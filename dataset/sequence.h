@@ -26,7 +26,7 @@ struct TargetTruth {
 };
 
 /// A tracking sequence in one of the layouts that people have (OTB, VOT, GOT-10k, TLD), or a video
-/// without truth. Opening reads the annotation and lists the pictures; no file is trusted. What the
+/// or a folder of pictures without truth. Opening reads the annotation and lists the pictures; no file is trusted. What the
 /// layouts leave open is settled in docs/design/sequences.md.
 struct Sequence {
   std::string name;            ///< of its folder or file
@@ -42,8 +42,8 @@ struct Sequence {
 
 /// The sequences in `folder`, by name: it may be one itself, or a video. A folder in it counts as
 /// one when it holds an annotation, a folder `img` or `color`, or VOT's `sequence`; so one that is
-/// half there is not passed over. Throws UsageError when there is none, and like
-/// Sequence::open() for one that cannot be opened.
+/// half there is not passed over. Throws UsageError when there is none or one of several has no
+/// annotation, and like Sequence::open() for one that cannot be opened.
 [[nodiscard]] std::vector<Sequence> find_sequences(const std::filesystem::path& folder);
 
 /// Pictures one after another: a sequence's, a video's, a camera's.

@@ -243,6 +243,17 @@ TEST_F(Sequences, OfAFolderAreFoundByName) {
   EXPECT_THROW(static_cast<void>(find_sequences(scratch_ / "nowhere")), UsageError);
 }
 
+TEST_F(Sequences, MayBePicturesThatNobodyAnnotated) {
+  write_pictures(scratch_ / "bare", "{:04d}.jpg", 3);
+  write_pictures(scratch_ / "inner", "img/{:04d}.jpg", 2);
+  for (const auto& [name, count] : {std::pair{"bare", 3U}, {"inner", 2U}}) {
+    const std::vector<Sequence> found = find_sequences(scratch_ / name);
+    ASSERT_THAT(found, SizeIs(1)) << name;
+    EXPECT_THAT(found[0].pictures, SizeIs(count)) << name;
+    EXPECT_THAT(found[0].targets, IsEmpty()) << name;
+  }
+}
+
 /// The real sequences; empty where they are not.
 fs::path real_sequences() {
   const char* data = std::getenv("PACER_DATA");
