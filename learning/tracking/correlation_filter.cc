@@ -27,25 +27,6 @@ double bell(std::size_t at, double spread) {
   return std::exp(-0.5 * d * d / (spread * spread));
 }
 
-/// Of a peak between its neighbours: how far off the parabola's top is, and how much higher.
-struct Top {
-  double offset = 0.0;
-  double rise = 0.0;
-};
-Top top_of(float before, float at, float after) {
-  const double slope = 0.5 * (static_cast<double>(after) - static_cast<double>(before));
-  const double curve =
-      static_cast<double>(before) - 2.0 * static_cast<double>(at) + static_cast<double>(after);
-  if (curve >= 0.0) return {};
-  const double offset = std::clamp(-slope / curve, -0.5, 0.5);
-  return {.offset = offset, .rise = offset * (slope + 0.5 * curve * offset)};
-}
-
-double displacement(std::size_t index) {
-  const auto shift = static_cast<double>(index);
-  return index < kGrid / 2 ? shift : shift - static_cast<double>(kGrid);
-}
-
 }  // namespace
 
 void CorrelationFilterConfig::validate() const {
@@ -117,19 +98,7 @@ void CorrelationFilter::solve() {
 
 Peak CorrelationFilter::locate(const FeatureMap& spectrum) {
   inner_product(filter_, spectrum, products_);
-  transform_back(products_, response_);
-  const auto best =
-      static_cast<std::size_t>(std::ranges::max_element(response_) - response_.begin());
-  const std::size_t r = best / kGrid;
-  const std::size_t c = best % kGrid;
-  const auto at = [&](std::size_t row, std::size_t column) {
-    return response_[row % kGrid * kGrid + column % kGrid];
-  };
-  const Top across = top_of(at(r, c + kGrid - 1), response_[best], at(r, c + 1));
-  const Top down = top_of(at(r + kGrid - 1, c), response_[best], at(r + 1, c));
-  return {.x = displacement(c) + across.offset,
-          .y = displacement(r) + down.offset,
-          .value = static_cast<double>(response_[best]) + across.rise + down.rise};
+  return peak_of(products_);
 }
 
 }  // namespace pacer::tracking

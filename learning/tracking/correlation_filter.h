@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "learning/tracking/response_peak.h"
 #include "learning/tracking/spectrum.h"
 
 namespace pacer::tracking {
 
 struct CorrelationFilterConfig {
-  double spread = 0.1;       ///< of the wanted response, standard deviation over the target's side
+  double spread = 0.0625;    ///< of the wanted response, standard deviation over the target's side
   double ridge = 1e-2;       ///< lambda
   double penalty = 1.0;      ///< mu of the first round
   double tightening = 10.0;  ///< by which mu grows for the second round
@@ -21,13 +22,6 @@ struct CorrelationFilterConfig {
     visit("penalty", penalty);
     visit("tightening", tightening);
   }
-};
-
-/// Where a filter answers most.
-struct Peak {
-  double x = 0.0;      ///< cells from the map's centre, sub-cell
-  double y = 0.0;      ///< cells from the map's centre, sub-cell
-  double value = 0.0;  ///< 1 is what it was taught to answer on the target
 };
 
 /// The predictor of the longest range: a linear map from the features of a whole region to the
@@ -45,12 +39,9 @@ class CorrelationFilter {
   /// in the memory of all of them, and 1 forgets the others.
   void learn(const FeatureMap& spectrum, double rate);
 
-  /// Where in a transformed map the target is.
+  /// Where in a transformed map the target is, cells from its centre. The value grows with what
+  /// target and picture have in common; it is only good for comparing.
   [[nodiscard]] Peak locate(const FeatureMap& spectrum);
-
-  /// Of the last map that was located in: its cells, row by row, the target's displacement (0, 0)
-  /// first.
-  [[nodiscard]] const RealPlane& response() const { return response_; }
 
  private:
   void solve();
@@ -64,7 +55,6 @@ class CorrelationFilter {
   FeatureMap kept_;     // the filter, not transformed
   Plane products_{};
   RealPlane energy_{};
-  RealPlane response_{};
 };
 
 }  // namespace pacer::tracking

@@ -32,8 +32,8 @@ TEST(CorrelationFilter, FindsHowFarTheTargetWent) {
   filter.learn(spectrum_at(image, 200.0, 150.0), 1.0);
   for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {13.0, -7.0}, {-20.0, 14.0}, {2.0, 3.0}}) {
     const Peak peak = filter.locate(spectrum_at(image, 200.0 - dx, 150.0 - dy));
-    EXPECT_NEAR(peak.x * GradientFeatures::kCell, dx, 1.5) << dx << ", " << dy;
-    EXPECT_NEAR(peak.y * GradientFeatures::kCell, dy, 1.5) << dx << ", " << dy;
+    EXPECT_NEAR(peak.x * GradientFeatures::kCell, dx, 1.0) << dx << ", " << dy;
+    EXPECT_NEAR(peak.y * GradientFeatures::kCell, dy, 1.0) << dx << ", " << dy;
   }
 }
 
