@@ -2,6 +2,7 @@
 #include "learning/tracking/cascade_tracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/check.h"
@@ -22,9 +23,27 @@ Similarity inside(const cv::Mat1b& image, Similarity pose) {
   return pose;
 }
 
+bool lies_in(const Similarity& pose, const cv::Mat1b& image) {
+  return pose.x >= 0.0 && pose.y >= 0.0 && pose.x < image.cols && pose.y < image.rows;
+}
+
 Similarity rescaled(Similarity pose, double by) {
   pose.scale = std::clamp(pose.scale * by, kLeastScale, kMostScale);
   return pose;
+}
+
+/// The outline of what lies up to `across` and `down` from a pose, pixels of its frame.
+void outline(const Similarity& pose, double across, double down, Tone tone,
+             Annotations& annotations) {
+  const auto corner = [&](double u, double v) {
+    const Similarity at = pose.moved(u * across, v * down);
+    return PixelPoint{.x = static_cast<float>(at.x), .y = static_cast<float>(at.y)};
+  };
+  const std::array corners = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    annotations.lines.push_back(
+        {.from = corners[i], .to = corners[(i + 1) % corners.size()], .tone = tone});
+  }
 }
 
 }  // namespace
@@ -37,9 +56,13 @@ void CascadeConfig::validate() const {
   memory.validate();
   require(rounds >= 1 && rounds <= 20, "rounds must be 1 to 20");
   require(gain > 0.0 && gain <= 1.0, "gain must be above 0, and 1 at most");
-  require(better >= 0.0, "better must not be negative");
+  require(better >= 1.0, "better must be 1 or more");
   require(rescale > 1.0 && rescale <= 2.0, "rescale must be above 1, and 2 at most");
+  require(rescale_better >= 1.0, "rescale_better must be 1 or more");
+  require(doubtful >= 0.0 && doubtful <= 1.0, "doubtful must be 0 to 1");
+  require(beside >= 1.0, "beside must be 1 or more");
   require(habit > 0.0 && habit <= 1.0, "habit must be above 0, and 1 at most");
+  require(familiar > 0.0 && familiar <= 1.0, "familiar must be above 0, and 1 at most");
   require(lost_below >= 0.0 && lost_below < 1.0, "lost_below must be 0 to 1");
   require(patience >= 0, "patience must not be negative");
   require(probes >= 1, "probes must be 1 or more");
@@ -97,7 +120,8 @@ void CascadeTracker::begin(const Picture& picture, const Box& target) {
   pyramid_.forget();
   look_around(picture.grey, pose_);
   filter_->learn(spectrum_, 1.0);
-  usual_ = filter_->locate(spectrum_).value;
+  first_answer_ = filter_->locate(spectrum_).value;
+  usual_ = first_answer_;
   look_at(picture.grey, pose_);
   memory_.clear(config_.predictor.side * config_.predictor.side);
   memory_.remember(*trainer_, aspect_patch_, 0);
@@ -105,6 +129,7 @@ void CascadeTracker::begin(const Picture& picture, const Box& target) {
   likeness_ = 1.0F;
   doubtful_ = 0;
   lost_ = false;
+  larger_ = false;
   place_ = 0;
 }
 
@@ -134,35 +159,54 @@ CascadeTracker::Sighting CascadeTracker::locate(const cv::Mat1b& image, const Si
   return {.pose = inside(image, pose.moved(peak.x * cell, peak.y * cell)), .answer = peak.value};
 }
 
+CascadeTracker::Sighting CascadeTracker::search(const cv::Mat1b& image) {
+  const Sighting here = locate(image, pose_);
+  if (here.answer >= config_.doubtful * usual_) return here;
+  Sighting best = here;
+  const double stride = 0.25 * search_unit_ * pose_.scale * GradientFeatures::kSide;
+  for (const double down : {-stride, 0.0, stride}) {
+    for (const double across : {-stride, 0.0, stride}) {
+      Similarity there = pose_;
+      there.x += across;
+      there.y += down;
+      if ((across == 0.0 && down == 0.0) || !lies_in(there, image)) continue;
+      const Sighting other = locate(image, there);
+      if (other.answer > best.answer) best = other;
+    }
+  }
+  return best.answer >= config_.beside * here.answer ? best : here;
+}
+
 double CascadeTracker::trust() const {
   const double likeness = static_cast<double>(likeness_);
   return std::clamp((likeness - config_.unlike) / (config_.alike - config_.unlike), 0.0, 1.0);
 }
 
+bool CascadeTracker::recognised(double answer) const {
+  return answer >= config_.recognised * usual_;
+}
+
 void CascadeTracker::settle(const cv::Mat1b& image, const Sighting& found) {
   look_at(image, found.pose);
   const PoseChange change = refine() * static_cast<float>(trust());
-  const Similarity moved =
-      inside(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
-                                     static_cast<double>(change[kDown]) * aspect_unit_));
-  if (static_cast<double>(likeness_) < config_.unlike) {
-    // No aspect that is known: the filter looks for it larger and smaller.
-    Sighting best = found;
-    for (const double step : {1.0 / config_.rescale, config_.rescale}) {
-      const Sighting other = locate(image, rescaled(moved, step));
-      if (other.answer > best.answer) best = other;
+  if (static_cast<double>(likeness_) > config_.unlike) {
+    // What the aspect proposes has to please the filter, which knows the background too.
+    Similarity proposed =
+        inside(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
+                                       static_cast<double>(change[kDown]) * aspect_unit_));
+    proposed = rescaled(proposed, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
+    proposed.angle += config_.gain * static_cast<double>(change[kAngle]);
+    if (locate(image, proposed).answer >= config_.better * found.answer) {
+      pose_ = proposed;
+      return;
     }
-    pose_ = best.pose;
-    look_around(image, pose_);
-    return;
   }
-  pose_ = rescaled(moved, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
-  pose_.angle += config_.gain * static_cast<double>(change[kAngle]);
-  // The filter, which knows the background too, has to like the change.
-  if (locate(image, pose_).answer < config_.better * found.answer) {
-    pose_ = moved;
-    look_around(image, pose_);
-  }
+  // Larger and smaller in turn: a target grows for longer than a picture.
+  larger_ = !larger_;
+  const double step = larger_ ? config_.rescale : 1.0 / config_.rescale;
+  const Sighting other = locate(image, rescaled(found.pose, step));
+  pose_ = other.answer >= config_.rescale_better * found.answer ? other.pose : found.pose;
+  look_around(image, pose_);
 }
 
 void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
@@ -176,7 +220,7 @@ void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
     there.x = (static_cast<double>(place_ - row * columns) + 0.5) * stride;
     there.y = (static_cast<double>(row) + 0.5) * stride;
     const Sighting found = locate(image, inside(image, there));
-    if (found.answer < config_.recognised * usual_) continue;
+    if (!recognised(found.answer)) continue;
     look_at(image, found.pose);
     (void)refine();
     if (static_cast<double>(likeness_) < config_.alike) continue;
@@ -186,18 +230,19 @@ void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
 }
 
 void CascadeTracker::learn(const cv::Mat1b& image, double answer) {
-  if (trust() > 0.0) filter_->learn(spectrum_, config_.rate * trust());
+  if (!recognised(answer)) return;
+  filter_->learn(spectrum_, config_.rate);
   const double likeness = static_cast<double>(likeness_);
-  if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above &&
-      answer > config_.recognised * usual_) {
+  if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above) {
     look_at(image, pose_);
     memory_.remember(*trainer_, aspect_patch_, matched_);
   }
 }
 
 double CascadeTracker::judge(double answer) {
-  const double evidence = config_.bias + config_.by_likeness * static_cast<double>(likeness_);
-  const double confidence = 1.0 / (1.0 + std::exp(-evidence));
+  const double evidence = config_.bias + config_.by_answer * answer / first_answer_;
+  const double known = std::clamp(static_cast<double>(likeness_) / config_.familiar, 0.0, 1.0);
+  const double confidence = known / (1.0 + std::exp(-evidence));
   usual_ += config_.habit * trust() * (answer - usual_);
   doubtful_ = confidence < config_.lost_below ? doubtful_ + 1 : 0;
   lost_ = doubtful_ > config_.patience;
@@ -208,8 +253,8 @@ Track CascadeTracker::follow(const Picture& picture) {
   const cv::Mat1b& image = picture.grey;
   pyramid_.forget();
   if (lost_) look_elsewhere(image);
-  const Sighting found = locate(image, pose_);  // the longest range: wherever it went
-  settle(image, found);                         // the shorter ones: position, scale, rotation
+  const Sighting found = search(image);  // the longest range: wherever it went
+  settle(image, found);                  // the shorter ones: position, scale, rotation
   learn(image, found.answer);
   const double confidence = judge(found.answer);
   return {.box = {.x = pose_.x,
@@ -220,6 +265,10 @@ Track CascadeTracker::follow(const Picture& picture) {
 }
 
 void CascadeTracker::annotate(Annotations& annotations) const {
+  if (!filter_) return;  // not started
+  const double reach = 0.5 * search_unit_ * GradientFeatures::kSide;
+  outline(pose_, reach, reach, lost_ ? Tone::kIgnored : Tone::kNeutral, annotations);
+  outline(pose_, 0.5 * width_, 0.5 * height_, Tone::kMatched, annotations);  // turned as it is
   const auto side = static_cast<int>(std::sqrt(static_cast<double>(seen_.size())));
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     PatchMark patch{.size = {side, side}, .grey = {}, .tone = Tone::kNeutral};

@@ -20,21 +20,27 @@ struct CascadeConfig {
   CorrelationFilterConfig filter;
   PosePredictorConfig predictor;
   AppearanceMemoryConfig memory;
-  int rounds = 2;             ///< of the pose predictor in a frame
-  double gain = 0.7;          ///< share of a change of scale or angle that is followed at once
-  double unlike = 0.5;        ///< likeness at which an aspect's predictor counts for nothing
-  double alike = 0.85;        ///< likeness from which on it counts in full
-  double better = 1.01;       ///< by which the filter must answer more for such a change to stand
-  double rescale = 1.05;      ///< steps of scale in which it is looked for where it is not alike
-  double rate = 0.02;         ///< share of a new picture in the filter's memory
-  double habit = 0.1;         ///< share of a new answer of the filter in what it usually answers
-  double bias = -2.15;        ///< confidence is 1 / (1 + exp(-(bias + by_likeness likeness))):
-  double by_likeness = 4.19;  ///< how often, over ten sequences, half of the box was right
-  double lost_below = 0.3;    ///< confidence below which it may be lost
-  int patience = 15;          ///< pictures in a row below it after which it is
+  int rounds = 2;         ///< of the pose predictor in a frame
+  double gain = 0.4;      ///< share of a change of scale or angle that is followed at once
+  double unlike = 0.5;    ///< likeness at which an aspect's predictor counts for nothing
+  double alike = 0.85;    ///< likeness from which on it counts in full
+  double better = 1.03;   ///< by which the filter must answer more for such a change to stand
+  double rescale = 1.02;  ///< step of scale, up and down in turn, that is tried where it does not
+  double rescale_better = 1.01;  ///< by which the filter must answer more for such a step
+  double doubtful = 0.8;  ///< of its usual answer below which the filter looks beside its region
+  double beside = 1.25;   ///< by which it must answer more there
+  double rate = 0.013;    ///< share of a new picture in the filter's memory
+  double habit = 0.1;     ///< share of a new answer of the filter in what it usually answers
+  /// Confidence is min(1, likeness / familiar) / (1 + exp(-(bias + by_answer answer))), the
+  /// filter's answer relative to the first: how often, over ten sequences, half of the box was
+  /// right.
+  double familiar = 0.6;
+  double bias = -3.0;
+  double by_answer = 8.2;
+  double lost_below = 0.3;  ///< confidence below which it may be lost
+  int patience = 15;        ///< pictures in a row below it after which it is
   int probes = 2;  ///< places of the picture, one after another, that are searched while lost
-  double recognised = 0.6;  ///< of its usual answer that the filter must give where an aspect is
-                            ///< learnt, and where a lost target is found again
+  double recognised = 0.5;  ///< of its usual answer that the filter gives on the target at least
   double new_aspect_below = 0.65;  ///< likeness below which a new aspect is learnt
   double new_aspect_above = 0.5;   ///< but not below this one: it may be something else
 
@@ -54,10 +60,14 @@ struct CascadeConfig {
     visit("alike", alike);
     visit("better", better);
     visit("rescale", rescale);
+    visit("rescale_better", rescale_better);
+    visit("doubtful", doubtful);
+    visit("beside", beside);
     visit("rate", rate);
     visit("habit", habit);
+    visit("familiar", familiar);
     visit("bias", bias);
-    visit("by_likeness", by_likeness);
+    visit("by_answer", by_answer);
     visit("lost_below", lost_below);
     visit("patience", patience);
     visit("probes", probes);
@@ -69,7 +79,8 @@ struct CascadeConfig {
 
 /// LP-CASCADE: predictors of several ranges in sequence. A correlation filter over the region
 /// around the target finds it wherever it went; the affine predictor of the aspect that is seen
-/// then finds its position to a fraction of a pixel, its scale and its rotation.
+/// then proposes its position to a fraction of a pixel, its scale and its rotation, and the filter,
+/// which knows the background too, has to agree (docs/design/tracking.md).
 class CascadeTracker final : public Tracker {
  public:
   /// Throws std::invalid_argument for a config that makes no sense.
@@ -93,6 +104,10 @@ class CascadeTracker final : public Tracker {
     double answer = 0.0;  ///< of the filter
   };
   [[nodiscard]] Sighting locate(const cv::Mat1b& image, const Similarity& pose);
+  /// The same around the last pose, and beside that region where the answer is a doubtful one.
+  [[nodiscard]] Sighting search(const cv::Mat1b& image);
+  /// Is the filter's answer one that it gives on the target?
+  [[nodiscard]] bool recognised(double answer) const;
   /// By how much the aspect's predictor, where that makes it more alike, would change the pose.
   [[nodiscard]] PoseChange refine();
   /// How far what the aspect says is to be believed, in [0, 1].
@@ -101,8 +116,8 @@ class CascadeTracker final : public Tracker {
   void settle(const cv::Mat1b& image, const Sighting& found);
   /// Looks for a lost target in the next places of the picture; `pose_` is there if it is found.
   void look_elsewhere(const cv::Mat1b& image);
-  /// Takes the picture into the filter's memory, and a new aspect, where the filter's answer says
-  /// that it is the target's, into that of aspects.
+  /// Takes the picture into the filter's memory, and a new aspect into that of aspects, where the
+  /// filter's answer says that it is the target's.
   void learn(const cv::Mat1b& image, double answer);
   /// How probable it is that the box is right, in (0, 1), or 0 when the target is lost.
   [[nodiscard]] double judge(double answer);
@@ -124,10 +139,12 @@ class CascadeTracker final : public Tracker {
   GradientFeatures features_;
   FeatureMap spectrum_;
   Eigen::VectorXf seen_;
-  std::size_t matched_ = 0;  // aspect
-  double usual_ = 1.0;       // answer of the filter
-  int doubtful_ = 0;         // pictures in a row
+  std::size_t matched_ = 0;    // aspect
+  double first_answer_ = 1.0;  // of the filter
+  double usual_ = 1.0;         // answer of the filter
+  int doubtful_ = 0;           // pictures in a row
   bool lost_ = false;
+  bool larger_ = false;    // which of the two it was last looked for as
   std::size_t place_ = 0;  // that is searched next
   float likeness_ = 1.0F;  // of what is seen with it
 };

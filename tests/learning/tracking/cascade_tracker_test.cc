@@ -97,6 +97,25 @@ TEST(CascadeTracker, ShowsTheAspectsItRemembers) {
   EXPECT_EQ(shown.patches[0].grey.size(), 256U);
 }
 
+TEST(CascadeTracker, ShowsHowTheTargetIsTurned) {
+  const Stage stage;
+  CascadeTracker tracker({}, 1);
+  Annotations shown;
+  tracker.annotate(shown);
+  EXPECT_TRUE(shown.lines.empty()) << "before it was started";
+  tracker.start(stage.with(160.0, 120.0), box_at(160.0, 120.0));
+  for (int t = 1; t <= 30; ++t) {
+    (void)tracker.update(stage.with(160.0, 120.0, 1.0, 0.02 * t));
+  }
+  tracker.annotate(shown);
+  ASSERT_EQ(shown.lines.size(), 8U);
+  const LineMark& top = shown.lines[4];  // of the target: the region that is searched comes first
+  EXPECT_EQ(top.tone, Tone::kMatched);
+  const auto rise = static_cast<double>(top.to.y - top.from.y);
+  const auto run = static_cast<double>(top.to.x - top.from.x);
+  EXPECT_NEAR(std::atan2(rise, run), 0.6, 0.1);
+}
+
 TEST(CascadeTracker, RefusesSettingsThatMakeNoSense) {
   CascadeConfig config;
   config.unlike = 0.9;
