@@ -61,6 +61,7 @@ function(pacer_test name)
     add_dependencies(plain_tests ${name})
   endif()
   if(PACER_SANITIZE)
+    target_compile_options(${name} PRIVATE -O0)  # halves the time that building takes
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 900)
     return()
