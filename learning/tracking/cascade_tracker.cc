@@ -120,7 +120,7 @@ void CascadeTracker::begin(const Picture& picture, const Box& target) {
   pyramid_.forget();
   look_around(picture.grey, pose_);
   filter_->learn(spectrum_, 1.0);
-  first_answer_ = filter_->locate(spectrum_).value;
+  first_answer_ = std::max(filter_->locate(spectrum_).value, 1e-6);  // of a flat picture: none
   usual_ = first_answer_;
   look_at(picture.grey, pose_);
   memory_.clear(config_.predictor.side * config_.predictor.side);
