@@ -78,7 +78,7 @@ class SequenceWriter {
   /// out of [1, 8192], and for a box that is not proper or farther than 1e6 pixels away;
   /// std::runtime_error, naming the file, when it cannot be written.
   void write(const Frame& frame, const std::optional<Box>& truth);
-  /// Writes the annotation: until then the folder is no sequence. Throws like write(), and
+  /// Writes the annotation: until then the folder has no truth. Throws like write(), and
   /// std::invalid_argument when there was no frame.
   void close();
 

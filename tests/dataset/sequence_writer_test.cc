@@ -101,12 +101,13 @@ TEST(SequenceWriter, WritesOtbsLayout) {
   EXPECT_EQ(files, 5U) << "and nothing else";
 }
 
-TEST(SequenceWriter, HalfASequenceIsNone) {
+TEST(SequenceWriter, HalfASequenceHasNoTruth) {
   const Scratch scratch;
   {
     SequenceWriter writer(scratch / "a/Made");
     writer.write(made_up_frame(0), std::nullopt);
-    EXPECT_THROW(static_cast<void>(Sequence::open(scratch / "a/Made")), UsageError);
+    EXPECT_THAT(Sequence::open(scratch / "a/Made").targets, ::testing::IsEmpty());
+    EXPECT_THROW(static_cast<void>(find_sequences(scratch / "a")), UsageError);
   }
   EXPECT_FALSE(fs::exists(scratch / "a/Made")) << "and leaves nothing behind";
   fs::create_directories(scratch / "b");
