@@ -26,8 +26,8 @@ struct TargetTruth {
 };
 
 /// A tracking sequence in one of the layouts that people have (OTB, VOT, GOT-10k, TLD), or a video
-/// or a folder of pictures without truth. Opening reads the annotation and lists the pictures; no file is trusted. What the
-/// layouts leave open is settled in docs/design/sequences.md.
+/// or a folder of pictures without truth. Opening reads the annotation and lists the pictures; no
+/// file is trusted. What the layouts leave open is settled in docs/design/sequences.md.
 struct Sequence {
   std::string name;            ///< of its folder or file
   std::filesystem::path path;  ///< its folder, or its video
