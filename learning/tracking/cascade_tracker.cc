@@ -186,7 +186,9 @@ bool CascadeTracker::recognised(double answer) const {
   return answer >= config_.recognised * usual_;
 }
 
-void CascadeTracker::settle(const cv::Mat1b& image, const Sighting& found) {
+double CascadeTracker::settle(const cv::Mat1b& image, const Sighting& sighted) {
+  // Once more with the target in the middle of its region, whose border is faded: answers compare.
+  const Sighting found = locate(image, sighted.pose);
   look_at(image, found.pose);
   const PoseChange change = refine() * static_cast<float>(trust());
   if (static_cast<double>(likeness_) > config_.unlike) {
@@ -196,9 +198,10 @@ void CascadeTracker::settle(const cv::Mat1b& image, const Sighting& found) {
                                        static_cast<double>(change[kDown]) * aspect_unit_));
     proposed = rescaled(proposed, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
     proposed.angle += config_.gain * static_cast<double>(change[kAngle]);
-    if (locate(image, proposed).answer >= config_.better * found.answer) {
+    look_around(image, proposed);
+    if (filter_->answer(spectrum_) >= config_.better * found.answer) {
       pose_ = proposed;
-      return;
+      return found.answer;
     }
   }
   // Larger and smaller in turn: a target grows for longer than a picture.
@@ -207,6 +210,7 @@ void CascadeTracker::settle(const cv::Mat1b& image, const Sighting& found) {
   const Sighting other = locate(image, rescaled(found.pose, step));
   pose_ = other.answer >= config_.rescale_better * found.answer ? other.pose : found.pose;
   look_around(image, pose_);
+  return found.answer;
 }
 
 void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
@@ -253,10 +257,10 @@ Track CascadeTracker::follow(const Picture& picture) {
   const cv::Mat1b& image = picture.grey;
   pyramid_.forget();
   if (lost_) look_elsewhere(image);
-  const Sighting found = search(image);  // the longest range: wherever it went
-  settle(image, found);                  // the shorter ones: position, scale, rotation
-  learn(image, found.answer);
-  const double confidence = judge(found.answer);
+  const Sighting found = search(image);        // the longest range: wherever it went
+  const double answer = settle(image, found);  // the shorter ones: position, scale, rotation
+  learn(image, answer);
+  const double confidence = judge(answer);
   return {.box = {.x = pose_.x,
                   .y = pose_.y,
                   .width = width_ * pose_.scale,

@@ -21,12 +21,12 @@ struct CascadeConfig {
   PosePredictorConfig predictor;
   AppearanceMemoryConfig memory;
   int rounds = 2;         ///< of the pose predictor in a frame
-  double gain = 0.4;      ///< share of a change of scale or angle that is followed at once
+  double gain = 0.6;      ///< share of a change of scale or angle that is followed at once
   double unlike = 0.5;    ///< likeness at which an aspect's predictor counts for nothing
   double alike = 0.85;    ///< likeness from which on it counts in full
   double better = 1.03;   ///< by which the filter must answer more for such a change to stand
   double rescale = 1.02;  ///< step of scale, up and down in turn, that is tried where it does not
-  double rescale_better = 1.01;  ///< by which the filter must answer more for such a step
+  double rescale_better = 1.005;  ///< by which the filter must answer more for such a step
   double doubtful = 0.8;  ///< of its usual answer below which the filter looks beside its region
   double beside = 1.25;   ///< by which it must answer more there
   double rate = 0.013;    ///< share of a new picture in the filter's memory
@@ -112,8 +112,9 @@ class CascadeTracker final : public Tracker {
   [[nodiscard]] PoseChange refine();
   /// How far what the aspect says is to be believed, in [0, 1].
   [[nodiscard]] double trust() const;
-  /// From where the filter found the target to its pose, by predictors of shorter ranges.
-  void settle(const cv::Mat1b& image, const Sighting& found);
+  /// From where the filter found the target to its pose, by predictors of shorter ranges. Returns
+  /// the filter's answer where it was found.
+  [[nodiscard]] double settle(const cv::Mat1b& image, const Sighting& sighted);
   /// Looks for a lost target in the next places of the picture; `pose_` is there if it is found.
   void look_elsewhere(const cv::Mat1b& image);
   /// Takes the picture into the filter's memory, and a new aspect into that of aspects, where the

@@ -101,4 +101,9 @@ Peak CorrelationFilter::locate(const FeatureMap& spectrum) {
   return peak_of(products_);
 }
 
+double CorrelationFilter::answer(const FeatureMap& spectrum) {
+  inner_product(filter_, spectrum, products_);
+  return value_in_the_middle(products_);
+}
+
 }  // namespace pacer::tracking

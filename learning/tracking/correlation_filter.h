@@ -43,6 +43,9 @@ class CorrelationFilter {
   /// target and picture have in common; it is only good for comparing.
   [[nodiscard]] Peak locate(const FeatureMap& spectrum);
 
+  /// The value in the middle of a transformed map: how much the target is there.
+  [[nodiscard]] double answer(const FeatureMap& spectrum);
+
  private:
   void solve();
 

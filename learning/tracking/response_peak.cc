@@ -89,21 +89,25 @@ Peak peak_of(const Plane& spectrum) {
   RealPlane response;
   transform_back(plane, response);
   const auto best = static_cast<std::size_t>(std::ranges::max_element(response) - response.begin());
-  Peak peak{.x = signed_index(best % kGrid),
-            .y = signed_index(best / kGrid),
-            .value = static_cast<double>(response[best])};
+  Peak peak{.x = signed_index(best % kGrid), .y = signed_index(best / kGrid)};
+  Expansion at = expand(spectrum, peak.x, peak.y);
   for (int step = 0; step < kSteps; ++step) {
-    const Expansion at = expand(spectrum, peak.x, peak.y);
-    peak.value = at.value;
     const double determinant = at.xx * at.yy - at.xy * at.xy;
     if (at.xx >= 0.0 || determinant <= 0.0) break;  // no top here
-    const double x = std::clamp((at.xy * at.y - at.yy * at.x) / determinant, -kLongest, kLongest);
-    const double y = std::clamp((at.xy * at.x - at.xx * at.y) / determinant, -kLongest, kLongest);
-    peak.x += x;
-    peak.y += y;
-    peak.value += at.x * x + at.y * y + 0.5 * (at.xx * x * x + at.yy * y * y) + at.xy * x * y;
+    const double x =
+        peak.x + std::clamp((at.xy * at.y - at.yy * at.x) / determinant, -kLongest, kLongest);
+    const double y =
+        peak.y + std::clamp((at.xy * at.x - at.xx * at.y) / determinant, -kLongest, kLongest);
+    const Expansion there = expand(spectrum, x, y);
+    if (there.value < at.value) break;
+    at = there;
+    peak.x = x;
+    peak.y = y;
   }
+  peak.value = at.value;
   return peak;
 }
+
+double value_in_the_middle(const Plane& spectrum) { return expand(spectrum, 0.0, 0.0).value; }
 
 }  // namespace pacer::tracking
