@@ -94,7 +94,7 @@ void AspectTrainer::learn(const Patch& patch, Aspect& aspect) {
     observe(patch, change, seen_);
     differences_.col(n) = aspect.reference - seen_;
   }
-  // P = X (D'D + ridge)^-1 D'
+  // (3.7): P = X D+ = X (D'D + ridge)^-1 D'
   for (Eigen::Index j = 0; j < config_.samples; ++j) {
     for (Eigen::Index i = j; i < config_.samples; ++i) {
       gram_(i, j) = differences_.col(i).dot(differences_.col(j));
@@ -102,9 +102,13 @@ void AspectTrainer::learn(const Patch& patch, Aspect& aspect) {
   }
   const float mean = gram_.trace() / static_cast<float>(config_.samples);
   gram_.diagonal().array() += static_cast<float>(config_.ridge) * std::max(mean, 1e-6F);
-  solver_.compute(gram_);
-  solver_.solveInPlace(targets_);
   aspect.projection.resize(4, differences_.rows());
+  solver_.compute(gram_);
+  if (solver_.info() != Eigen::Success) {  // with a ridge too small for floats: predicts nothing
+    aspect.projection.setZero();
+    return;
+  }
+  solver_.solveInPlace(targets_);
   for (int axis = 0; axis < 4; ++axis) {
     for (Eigen::Index i = 0; i < differences_.rows(); ++i) {
       aspect.projection(axis, i) = range_[axis] * differences_.row(i).dot(targets_.col(axis));
@@ -113,7 +117,7 @@ void AspectTrainer::learn(const Patch& patch, Aspect& aspect) {
 }
 
 PoseChange AspectTrainer::predict(const Aspect& aspect, const Eigen::VectorXf& seen) const {
-  PoseChange change = PoseChange::Zero();
+  PoseChange change = PoseChange::Zero();  // (3.6): P (l0 - l)
   for (Eigen::Index i = 0; i < seen.size(); ++i) {
     change += aspect.projection.col(i) * (aspect.reference[i] - seen[i]);
   }

@@ -13,15 +13,9 @@ namespace {
 constexpr int kAspectSide = 64;  // samples
 constexpr double kRoom = 1.15;   // of a region around a long target
 constexpr double kSlack = 1.3;   // of the pyramid: the target may move before it is looked at again
+constexpr double kLeastConfidence = 1e-3;  // of a target that is not lost
 constexpr double kLeastScale = 0.1;
 constexpr double kMostScale = 10.0;
-
-/// `pose`, with its middle in the image.
-Similarity inside(const cv::Mat1b& image, Similarity pose) {
-  pose.x = std::clamp(pose.x, 0.0, image.cols - 1.0);
-  pose.y = std::clamp(pose.y, 0.0, image.rows - 1.0);
-  return pose;
-}
 
 bool lies_in(const Similarity& pose, const cv::Mat1b& image) {
   return pose.x >= 0.0 && pose.y >= 0.0 && pose.x < image.cols && pose.y < image.rows;
@@ -62,9 +56,10 @@ void CascadeConfig::validate() const {
   require(doubtful >= 0.0 && doubtful <= 1.0, "doubtful must be 0 to 1");
   require(beside >= 1.0, "beside must be 1 or more");
   require(habit > 0.0 && habit <= 1.0, "habit must be above 0, and 1 at most");
+  require(std::isfinite(bias) && std::isfinite(by_answer), "bias and by_answer must be finite");
   require(familiar > 0.0 && familiar <= 1.0, "familiar must be above 0, and 1 at most");
   require(lost_below >= 0.0 && lost_below < 1.0, "lost_below must be 0 to 1");
-  require(patience >= 0, "patience must not be negative");
+  require(patience >= 1, "patience must be 1 or more");
   require(probes >= 1, "probes must be 1 or more");
   require(recognised >= 0.0, "recognised must not be negative");
   require(rate > 0.0 && rate <= 1.0, "rate must be above 0, and 1 at most");
@@ -79,6 +74,14 @@ CascadeTracker::CascadeTracker(const CascadeConfig& config, std::uint64_t seed)
       search_patch_(GradientFeatures::kSide),
       aspect_patch_(kAspectSide) {
   config.validate();
+}
+
+Similarity CascadeTracker::placed(const cv::Mat1b& image, Similarity pose) const {
+  const double across = 0.5 * width_ * pose.scale;
+  const double down = 0.5 * height_ * pose.scale;
+  pose.x = std::clamp(pose.x, -across, image.cols - 1.0 + across);
+  pose.y = std::clamp(pose.y, -down, image.rows - 1.0 + down);
+  return pose;
 }
 
 Similarity CascadeTracker::in_samples(const Similarity& pose, double unit) const {
@@ -156,7 +159,7 @@ CascadeTracker::Sighting CascadeTracker::locate(const cv::Mat1b& image, const Si
   look_around(image, pose);
   const Peak peak = filter_->locate(spectrum_);
   const double cell = search_unit_ * GradientFeatures::kCell;
-  return {.pose = inside(image, pose.moved(peak.x * cell, peak.y * cell)), .answer = peak.value};
+  return {.pose = placed(image, pose.moved(peak.x * cell, peak.y * cell)), .answer = peak.value};
 }
 
 CascadeTracker::Sighting CascadeTracker::search(const cv::Mat1b& image) {
@@ -194,7 +197,7 @@ double CascadeTracker::settle(const cv::Mat1b& image, const Sighting& sighted) {
   if (static_cast<double>(likeness_) > config_.unlike) {
     // What the aspect proposes has to please the filter, which knows the background too.
     Similarity proposed =
-        inside(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
+        placed(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
                                        static_cast<double>(change[kDown]) * aspect_unit_));
     proposed = rescaled(proposed, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
     proposed.angle += config_.gain * static_cast<double>(change[kAngle]);
@@ -213,7 +216,18 @@ double CascadeTracker::settle(const cv::Mat1b& image, const Sighting& sighted) {
   return found.answer;
 }
 
-void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
+bool CascadeTracker::is_back(const cv::Mat1b& image, const Similarity& where) {
+  const Sighting found = locate(image, where);
+  if (!recognised(found.answer)) return false;
+  look_at(image, found.pose);
+  (void)refine();
+  if (static_cast<double>(likeness_) < config_.alike) return false;
+  pose_ = found.pose;
+  return true;
+}
+
+bool CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
+  if (is_back(image, pose_)) return true;
   const double stride = 0.5 * search_unit_ * pose_.scale * GradientFeatures::kSide;
   const auto columns = static_cast<std::size_t>(std::ceil(image.cols / stride));
   const auto rows = static_cast<std::size_t>(std::ceil(image.rows / stride));
@@ -223,14 +237,9 @@ void CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
     const std::size_t row = place_ / columns;
     there.x = (static_cast<double>(place_ - row * columns) + 0.5) * stride;
     there.y = (static_cast<double>(row) + 0.5) * stride;
-    const Sighting found = locate(image, inside(image, there));
-    if (!recognised(found.answer)) continue;
-    look_at(image, found.pose);
-    (void)refine();
-    if (static_cast<double>(likeness_) < config_.alike) continue;
-    pose_ = found.pose;
-    return;
+    if (is_back(image, there)) return true;
   }
+  return false;
 }
 
 void CascadeTracker::learn(const cv::Mat1b& image, double answer) {
@@ -249,18 +258,20 @@ double CascadeTracker::judge(double answer) {
   const double confidence = known / (1.0 + std::exp(-evidence));
   usual_ += config_.habit * trust() * (answer - usual_);
   doubtful_ = confidence < config_.lost_below ? doubtful_ + 1 : 0;
-  lost_ = doubtful_ > config_.patience;
-  return lost_ ? 0.0 : confidence;
+  lost_ = doubtful_ >= config_.patience;
+  return lost_ ? 0.0 : std::max(confidence, kLeastConfidence);
 }
 
 Track CascadeTracker::follow(const Picture& picture) {
   const cv::Mat1b& image = picture.grey;
   pyramid_.forget();
-  if (lost_) look_elsewhere(image);
-  const Sighting found = search(image);        // the longest range: wherever it went
-  const double answer = settle(image, found);  // the shorter ones: position, scale, rotation
-  learn(image, answer);
-  const double confidence = judge(answer);
+  double confidence = 0.0;
+  if (!lost_ || look_elsewhere(image)) {
+    const Sighting sighted = search(image);        // the longest range: wherever it went
+    const double answer = settle(image, sighted);  // the shorter ones: position, scale, rotation
+    learn(image, answer);
+    confidence = judge(answer);
+  }
   return {.box = {.x = pose_.x,
                   .y = pose_.y,
                   .width = width_ * pose_.scale,
@@ -273,7 +284,7 @@ void CascadeTracker::annotate(Annotations& annotations) const {
   const double reach = 0.5 * search_unit_ * GradientFeatures::kSide;
   outline(pose_, reach, reach, lost_ ? Tone::kIgnored : Tone::kNeutral, annotations);
   outline(pose_, 0.5 * width_, 0.5 * height_, Tone::kMatched, annotations);  // turned as it is
-  const auto side = static_cast<int>(std::sqrt(static_cast<double>(seen_.size())));
+  const int side = config_.predictor.side;
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     PatchMark patch{.size = {side, side}, .grey = {}, .tone = Tone::kNeutral};
     const Eigen::VectorXf& reference = memory_[i].reference;

@@ -13,7 +13,8 @@
 
 namespace pacer::tracking {
 
-/// The tracker beyond the thesis's. Lengths are in sides of the target, the root of its area.
+/// The tracker beyond the thesis's. Lengths are in sides of the target, the root of its area; a
+/// region is never smaller than 1.15 times the longest side.
 struct CascadeConfig {
   double search_side = 4.0;  ///< of the region that the filter looks at
   double aspect_side = 1.8;  ///< of the region that aspects are observed in
@@ -24,7 +25,7 @@ struct CascadeConfig {
   double gain = 0.6;      ///< share of a change of scale or angle that is followed at once
   double unlike = 0.5;    ///< likeness at which an aspect's predictor counts for nothing
   double alike = 0.85;    ///< likeness from which on it counts in full
-  double better = 1.03;   ///< by which the filter must answer more for such a change to stand
+  double better = 1.03;   ///< by which the filter must answer more for an aspect's change to stand
   double rescale = 1.02;  ///< step of scale, up and down in turn, that is tried where it does not
   double rescale_better = 1.005;  ///< by which the filter must answer more for such a step
   double doubtful = 0.8;  ///< of its usual answer below which the filter looks beside its region
@@ -35,8 +36,8 @@ struct CascadeConfig {
   /// filter's answer relative to the first: how often, over ten sequences, half of the box was
   /// right.
   double familiar = 0.6;
-  double bias = -3.0;
-  double by_answer = 8.2;
+  double bias = -3.3;
+  double by_answer = 8.9;
   double lost_below = 0.3;  ///< confidence below which it may be lost
   int patience = 15;        ///< pictures in a row below it after which it is
   int probes = 2;  ///< places of the picture, one after another, that are searched while lost
@@ -80,7 +81,7 @@ struct CascadeConfig {
 /// LP-CASCADE: predictors of several ranges in sequence. A correlation filter over the region
 /// around the target finds it wherever it went; the affine predictor of the aspect that is seen
 /// then proposes its position to a fraction of a pixel, its scale and its rotation, and the filter,
-/// which knows the background too, has to agree (docs/design/tracking.md).
+/// which knows the background too, has to agree (docs/design/cascade.md).
 class CascadeTracker final : public Tracker {
  public:
   /// Throws std::invalid_argument for a config that makes no sense.
@@ -92,6 +93,8 @@ class CascadeTracker final : public Tracker {
   void begin(const Picture& picture, const Box& target) override;
   [[nodiscard]] Track follow(const Picture& picture) override;
 
+  /// `pose`, moved to where its box touches the image.
+  [[nodiscard]] Similarity placed(const cv::Mat1b& image, Similarity pose) const;
   /// `pose_` in pixels a sample of a patch whose samples are `unit` apart on the first target.
   [[nodiscard]] Similarity in_samples(const Similarity& pose, double unit) const;
   /// Features of the region around `pose`, transformed, in `spectrum_`.
@@ -115,8 +118,10 @@ class CascadeTracker final : public Tracker {
   /// From where the filter found the target to its pose, by predictors of shorter ranges. Returns
   /// the filter's answer where it was found.
   [[nodiscard]] double settle(const cv::Mat1b& image, const Sighting& sighted);
-  /// Looks for a lost target in the next places of the picture; `pose_` is there if it is found.
-  void look_elsewhere(const cv::Mat1b& image);
+  /// Do both filter and aspect know the target in the region around `where`? `pose_` then is there.
+  [[nodiscard]] bool is_back(const cv::Mat1b& image, const Similarity& where);
+  /// Looks for a lost target where it was, and in the next places of the picture.
+  [[nodiscard]] bool look_elsewhere(const cv::Mat1b& image);
   /// Takes the picture into the filter's memory, and a new aspect into that of aspects, where the
   /// filter's answer says that it is the target's.
   void learn(const cv::Mat1b& image, double answer);
@@ -124,7 +129,7 @@ class CascadeTracker final : public Tracker {
   [[nodiscard]] double judge(double answer);
 
   CascadeConfig config_;
-  Random random_;
+  const Random random_;  // copied at every start, so that starts repeat
 
   double width_ = 0.0, height_ = 0.0;  // of the first target, pixels
   double search_unit_ = 1.0;           // pixels from sample to sample of search_patch_
@@ -147,7 +152,7 @@ class CascadeTracker final : public Tracker {
   bool lost_ = false;
   bool larger_ = false;    // which of the two it was last looked for as
   std::size_t place_ = 0;  // that is searched next
-  float likeness_ = 1.0F;  // of what is seen with it
+  float likeness_ = 1.0F;  // of what was seen with it, at its most in the last rounds
 };
 
 }  // namespace pacer::tracking

@@ -18,6 +18,8 @@ using FloatLanes [[gnu::vector_size(64)]] = float;
 /// kLanes whole numbers.
 using IntLanes [[gnu::vector_size(64)]] = int;
 
+static_assert(sizeof(FloatLanes) == kLanes * sizeof(float));
+
 /// kLanes complex numbers. The alignment is said, since g++ gives a plain FloatLanes that of the
 /// target in force where it is first seen.
 struct alignas(64) ComplexLanes {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #ifdef __x86_64__
@@ -15,6 +16,7 @@ namespace pacer::tracking {
 namespace {
 
 constexpr int kMostLevels = 12;
+static_assert(std::endian::native == std::endian::little, "pairs of pixels are read as words");
 /// What sampling needs of a level, in its pixels: start and steps of the walk, and its bounds.
 struct Walk {
   float x = 0.0F, y = 0.0F;    // of the first sample
@@ -24,15 +26,21 @@ struct Walk {
   int stride = 0;  // pairs
 };
 
+/// A picture of half the width and height, rounded up: where there is no neighbour to the right or
+/// below, a pixel is its own.
 PACER_INLINE void halve_body(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
-                             std::uint8_t* to, std::ptrdiff_t to_stride) {
-  for (int row = 0; row < height; ++row) {
-    const std::uint8_t* const above = from + 2 * row * stride;
-    const std::uint8_t* const below = above + stride;
-    std::uint8_t* const out = to + row * to_stride;
-    for (int x = 0; x < width; ++x) {
+                             std::uint8_t* to) {
+  const int half = (width + 1) / 2;
+  for (int row = 0; row < height; row += 2) {
+    const std::uint8_t* const above = from + row * stride;
+    const std::uint8_t* const below = row + 1 < height ? above + stride : above;
+    std::uint8_t* const out = to + row / 2 * half;
+    for (int x = 0; x < width / 2; ++x) {
       out[x] = static_cast<std::uint8_t>(
           (above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1] + 2) >> 2);
+    }
+    if (width % 2 != 0) {
+      out[half - 1] = static_cast<std::uint8_t>((above[width - 1] + below[width - 1] + 1) >> 1);
     }
   }
 }
@@ -89,10 +97,10 @@ PACER_INLINE void sample_body(const Walk& walk, int rows, int blocks, float* to)
       const FloatLanes along = column + static_cast<float>(block) * float{kLanes};
       FloatLanes x = walk.x - down * walk.dv + along * walk.du;
       FloatLanes y = walk.y + down * walk.du + along * walk.dv;
-      x = x < 0.0F ? FloatLanes{} : x;
-      y = y < 0.0F ? FloatLanes{} : y;
-      x = x > walk.last_x ? FloatLanes{} + walk.last_x : x;
-      y = y > walk.last_y ? FloatLanes{} + walk.last_y : y;
+      x = x > 0.0F ? x : FloatLanes{};  // what is no number, too
+      y = y > 0.0F ? y : FloatLanes{};
+      x = x < walk.last_x ? x : FloatLanes{} + walk.last_x;
+      y = y < walk.last_y ? y : FloatLanes{} + walk.last_y;
       const IntLanes left = __builtin_convertvector(x, IntLanes);
       const IntLanes top = __builtin_convertvector(y, IntLanes);
       const FloatLanes right = x - __builtin_convertvector(left, FloatLanes);
@@ -115,7 +123,7 @@ PACER_INLINE void sample_body(const Walk& walk, int rows, int blocks, float* to)
 
 struct PatchLoops {
   void (*halve)(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
-                std::uint8_t* to, std::ptrdiff_t to_stride);
+                std::uint8_t* to);
   void (*pair)(const std::uint8_t* from, std::ptrdiff_t stride, int width, int height,
                std::uint8_t* to);
   void (*sample)(const Walk& walk, int rows, int blocks, float* to);
@@ -124,8 +132,8 @@ struct PatchLoops {
 #define PACER_PATCH_LOOPS(Kind, Gather)                                                        \
   struct Kind {                                                                                \
     PACER_TARGET static void halve(const std::uint8_t* from, std::ptrdiff_t stride, int width, \
-                                   int height, std::uint8_t* to, std::ptrdiff_t to_stride) {   \
-      halve_body(from, stride, width, height, to, to_stride);                                  \
+                                   int height, std::uint8_t* to) {                             \
+      halve_body(from, stride, width, height, to);                                             \
     }                                                                                          \
     PACER_TARGET static void pair(const std::uint8_t* from, std::ptrdiff_t stride, int width,  \
                                   int height, std::uint8_t* to) {                              \
@@ -178,6 +186,7 @@ Patch::Patch(int side_length)
       samples(static_cast<std::size_t>(side_length + 2 * kMargin) * stride) {}
 
 void RegionPyramid::make_room(const cv::Mat1b& image) {
+  size_ = image.size();
   const auto area = [&](int level) {
     return (static_cast<std::size_t>(image.cols >> level) + 2) *
            (static_cast<std::size_t>(image.rows >> level) + 2);
@@ -188,8 +197,7 @@ void RegionPyramid::make_room(const cv::Mat1b& image) {
 }
 
 void RegionPyramid::take(const cv::Mat1b& image, const Similarity& pose, int side, double slack) {
-  if (image.size() != image_.size()) make_room(image);
-  image_ = image;
+  if (image.size() != size_) make_room(image);
   scale_ = pose.scale;
   level_ = 0;
   while (pose.scale >= 1.5 * (1 << level_) && level_ < kMostLevels) ++level_;
@@ -212,14 +220,9 @@ void RegionPyramid::take(const cv::Mat1b& image, const Similarity& pose, int sid
   height_ = region_.height;
   for (int n = 0; n < level_; ++n) {
     std::vector<std::uint8_t>& half = halved_[static_cast<std::size_t>(n)];
-    const bool narrow = width_ < 2 || height_ < 2;
-    width_ = std::max(1, width_ / 2);
-    height_ = std::max(1, height_ / 2);
-    if (narrow) {
-      std::fill(half.begin(), half.end(), *from);
-    } else {
-      loops().halve(from, stride, width_, height_, half.data(), width_);
-    }
+    loops().halve(from, stride, width_, height_, half.data());
+    width_ = (width_ + 1) / 2;
+    height_ = (height_ + 1) / 2;
     from = half.data();
     stride = width_;
   }
@@ -253,8 +256,8 @@ bool RegionPyramid::covers(const Similarity& pose, int side) const {
     return (low == 0 || centre - reach >= low) &&
            (low + length == size || centre + reach <= low + length - 1);
   };
-  return inside(pose.x, region_.x, region_.width, image_.cols) &&
-         inside(pose.y, region_.y, region_.height, image_.rows);
+  return inside(pose.x, region_.x, region_.width, size_.width) &&
+         inside(pose.y, region_.y, region_.height, size_.height);
 }
 
 }  // namespace pacer::tracking

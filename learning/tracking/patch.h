@@ -15,7 +15,7 @@ struct Similarity {
   double scale = 1.0;  ///< image pixels a unit of the frame
   double angle = 0.0;  ///< radians, from x towards y
 
-  /// Where the frame's point (u, v) is in the image.
+  /// The same frame with its origin where the point (u, v) of it is now.
   [[nodiscard]] Similarity moved(double u, double v) const;
 };
 
@@ -37,14 +37,14 @@ struct Patch {
 class RegionPyramid {
  public:
   /// Takes the part of `image` that a patch of `side` samples at `pose` (pixels a sample) looks
-  /// at, with `slack` (at least 1) times its width and height. Keeps a reference to the image.
+  /// at, with `slack` (at least 1) times its width and height.
   void take(const cv::Mat1b& image, const Similarity& pose, int side, double slack);
 
   /// What was taken is no longer of use: covers() is false.
   void forget() { region_ = {}; }
 
   /// Samples, bilinearly, the square around `pose`; outside the image its border is repeated.
-  /// Requires that take() covered the patch, at a scale between half and twice this one.
+  /// What is not covered() is sampled as if the part that was taken were the image.
   void sample(const Similarity& pose, Patch& patch) const;
 
   /// Would sample() find all it needs, at a scale that what was taken is good for?
@@ -54,7 +54,7 @@ class RegionPyramid {
   /// Makes room for every level of an image of this size.
   void make_room(const cv::Mat1b& image);
 
-  cv::Mat1b image_;
+  cv::Size size_;       // of the image
   cv::Rect region_;     // of the image; its corner is at multiples of the last level's pixel
   int level_ = 0;       // halvings; 0: patches are sampled from the image's own pixels
   double scale_ = 1.0;  // of the pose it was taken for

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kStride = FeatureMap::kStride;
 
-/// exp(-2 pi i n / kGrid).
+/// exp(-2 pi i n / kGrid), made before any tracker is: trackers are not made by static
+/// initialisers.
 const std::array<std::complex<float>, kGrid> kTwiddles = [] {
   std::array<std::complex<float>, kGrid> twiddles;
   for (std::size_t n = 0; n < kGrid; ++n) {
