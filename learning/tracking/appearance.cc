@@ -14,6 +14,30 @@ const PosePredictorConfig& validated(const PosePredictorConfig& config) {
   return config;
 }
 
+/// Replaces `right` by the solution of gram x = right; of the symmetric `gram`, which is lost, the
+/// lower half is read. False where it is not positive definite. By Cholesky's columns: Eigen's
+/// blocks allocate.
+bool solve(Eigen::MatrixXf& gram, Eigen::MatrixXf& right) {
+  const Eigen::Index n = gram.rows();
+  for (Eigen::Index j = 0; j < n; ++j) {
+    auto column = gram.col(j).tail(n - j);
+    for (Eigen::Index k = 0; k < j; ++k) column -= gram(j, k) * gram.col(k).tail(n - j);
+    if (!(column[0] > 0.0F)) return false;
+    column *= 1.0F / std::sqrt(column[0]);
+  }
+  for (Eigen::Index c = 0; c < right.cols(); ++c) {
+    auto x = right.col(c);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      x[j] /= gram(j, j);
+      x.tail(n - j - 1) -= x[j] * gram.col(j).tail(n - j - 1);
+    }
+    for (Eigen::Index j = n - 1; j >= 0; --j) {
+      x[j] = (x[j] - gram.col(j).tail(n - j - 1).dot(x.tail(n - j - 1))) / gram(j, j);
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void PosePredictorConfig::validate() const {
@@ -28,7 +52,7 @@ void PosePredictorConfig::validate() const {
 
 AspectTrainer::AspectTrainer(const PosePredictorConfig& config, double width, double height,
                              Random random)
-    : config_(validated(config)), random_(random), solver_(config.samples) {
+    : config_(validated(config)), random_(random) {
   const Eigen::Index side = config.side;
   const Eigen::Index count = side * side;
   across_.resize(count);
@@ -103,12 +127,10 @@ void AspectTrainer::learn(const Patch& patch, Aspect& aspect) {
   const float mean = gram_.trace() / static_cast<float>(config_.samples);
   gram_.diagonal().array() += static_cast<float>(config_.ridge) * std::max(mean, 1e-6F);
   aspect.projection.resize(4, differences_.rows());
-  solver_.compute(gram_);
-  if (solver_.info() != Eigen::Success) {  // with a ridge too small for floats: predicts nothing
+  if (!solve(gram_, targets_)) {  // with a ridge too small for floats: predicts nothing
     aspect.projection.setZero();
     return;
   }
-  solver_.solveInPlace(targets_);
   for (int axis = 0; axis < 4; ++axis) {
     for (Eigen::Index i = 0; i < differences_.rows(); ++i) {
       aspect.projection(axis, i) = range_[axis] * differences_.row(i).dot(targets_.col(axis));

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <cstdint>
-#include <vector>
 
 #include "core/random.h"
 #include "learning/tracking/patch.h"
@@ -76,7 +73,6 @@ class AspectTrainer {
   Eigen::MatrixXf differences_;  // D: k x N
   Eigen::MatrixXf targets_;      // X': N x 4, in units of the range; then the solution
   Eigen::MatrixXf gram_;
-  Eigen::LLT<Eigen::MatrixXf> solver_;
   Eigen::VectorXf seen_;
 };
 

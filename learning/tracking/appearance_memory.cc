@@ -19,14 +19,14 @@ AppearanceMemory::AppearanceMemory(const AppearanceMemoryConfig& config) : confi
 
 void AppearanceMemory::clear(Eigen::Index pixels) {
   size_ = 0;
-  matches_ = 0;
+  uses_ = 0;
   for (Entry& entry : entries_) {
     entry.aspect.reference.resize(pixels);
     entry.aspect.projection.resize(4, pixels);
   }
 }
 
-std::size_t AppearanceMemory::match(const Eigen::VectorXf& seen) {
+std::size_t AppearanceMemory::match(const Eigen::VectorXf& seen) const {
   std::size_t best = 0;
   double most = -2.0;
   for (std::size_t i = 0; i < size_; ++i) {
@@ -37,9 +37,10 @@ std::size_t AppearanceMemory::match(const Eigen::VectorXf& seen) {
       most = score;
     }
   }
-  entries_[best].last_used = ++matches_;
   return best;
 }
+
+void AppearanceMemory::use(std::size_t aspect) { entries_[aspect].last_used = ++uses_; }
 
 void AppearanceMemory::remember(AspectTrainer& trainer, const Patch& patch, std::size_t parent) {
   const int generation = size_ == 0 ? 0 : entries_[parent].generation + 1;
@@ -54,7 +55,7 @@ void AppearanceMemory::remember(AspectTrainer& trainer, const Patch& patch, std:
   }
   trainer.learn(patch, entries_[place].aspect);
   entries_[place].generation = generation;
-  entries_[place].last_used = matches_;
+  entries_[place].last_used = uses_;
 }
 
 }  // namespace pacer::tracking

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "learning/tracking/appearance.h"
@@ -33,8 +34,11 @@ class AppearanceMemory {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const Aspect& operator[](std::size_t index) const { return entries_[index].aspect; }
 
-  /// The aspect that `seen` is most like, distrust taken off; marks it as used.
-  [[nodiscard]] std::size_t match(const Eigen::VectorXf& seen);
+  /// The aspect that `seen` is most like, distrust taken off.
+  [[nodiscard]] std::size_t match(const Eigen::VectorXf& seen) const;
+
+  /// Marks an aspect as used: it did show the target.
+  void use(std::size_t aspect);
 
   /// Learns what is in the middle of `patch`, where aspect `parent` put it; once the memory is
   /// full, in place of the one that has not been used for longest.
@@ -44,13 +48,13 @@ class AppearanceMemory {
   struct Entry {
     Aspect aspect;
     int generation = 0;           // steps from the first
-    std::uint64_t last_used = 0;  // matches so far
+    std::uint64_t last_used = 0;  // uses of any, so far
   };
 
   AppearanceMemoryConfig config_;
   std::vector<Entry> entries_;  // as many as there may be: learning anew allocates nothing
   std::size_t size_ = 0;
-  std::uint64_t matches_ = 0;
+  std::uint64_t uses_ = 0;
 };
 
 }  // namespace pacer::tracking

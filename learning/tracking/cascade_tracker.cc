@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/check.h"
 
@@ -245,6 +246,7 @@ bool CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
 void CascadeTracker::learn(const cv::Mat1b& image, double answer) {
   if (!recognised(answer)) return;
   filter_->learn(spectrum_, config_.rate);
+  memory_.use(matched_);
   const double likeness = static_cast<double>(likeness_);
   if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above) {
     look_at(image, pose_);

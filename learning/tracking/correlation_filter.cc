@@ -62,8 +62,10 @@ void CorrelationFilter::learn(const FeatureMap& spectrum, double rate) {
 
 void CorrelationFilter::solve() {
   // ADMM on the filter g, free, and h, cut to the target, with multipliers zeta. From h = zeta = 0
-  // the first round's g is a multiple of the picture x at each frequency; and in the second round
-  // zeta cancels in h. So g and zeta need not be held at all.
+  // the first round's g is a multiple of the picture x at each frequency. In the second, with
+  // q = mu2 h1 - zeta1, Sherman and Morrison give
+  //   mu2 g2 + zeta1 = mu2 h1 + x (y - (y |x|^2 + x . q) / (|x|^2 + T mu2)),
+  // of which h2 is the part on the target: neither g nor zeta need be held, only x . zeta1.
   const auto count = static_cast<float>(kCells);
   const auto ridge = static_cast<float>(config_.ridge) / count;
   const auto first = static_cast<float>(config_.penalty);

@@ -218,14 +218,15 @@ PACER_DESCRIBE(describe_avx2)
 #define PACER_TARGET [[gnu::target(PACER_AVX512)]]
 PACER_DESCRIBE(describe_avx512)
 #undef PACER_TARGET
-constexpr std::array<Describe, 3> kDescribe{describe_any, describe_avx2, describe_avx512};
+constexpr std::array<Describe, kProcessorKinds> kKinds{describe_any, describe_avx2,
+                                                       describe_avx512};
 #else
-constexpr std::array<Describe, 1> kDescribe{describe_any};
+constexpr std::array<Describe, 1> kKinds{describe_any};
 #endif
 
 }  // namespace
 
-GradientFeatures::GradientFeatures() : cells_(kGrid * kGrid) {
+GradientFeatures::GradientFeatures(std::size_t kind) : kind_(kind), cells_(kGrid * kGrid) {
   for (std::size_t i = 0; i < kGrid; ++i) {
     const double turn = 2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / double{kGrid};
     window_[i] = static_cast<float>(0.5 - 0.5 * std::cos(turn));
@@ -233,8 +234,7 @@ GradientFeatures::GradientFeatures() : cells_(kGrid * kGrid) {
 }
 
 void GradientFeatures::describe(const Patch& patch, FeatureMap& map) {
-  static const Describe widest = kDescribe[processor_kinds() - 1];
-  widest(patch.data(), patch.stride, window_.data(), cells_.data(), energy_.data(), map);
+  kKinds[kind_](patch.data(), patch.stride, window_.data(), cells_.data(), energy_.data(), map);
 }
 
 }  // namespace pacer::tracking

@@ -19,11 +19,13 @@ class GradientFeatures {
   static constexpr int kCell = 4;                                ///< samples along a cell's side
   static constexpr int kSide = kCell * static_cast<int>(kGrid);  ///< samples along a patch's
 
-  GradientFeatures();
+  /// With the loops for one kind of processor: the widest that this one can run.
+  explicit GradientFeatures(std::size_t kind = processor_kinds() - 1);
   /// Describes `patch`, kSide samples wide, and fades the map out towards its border (Hann).
   void describe(const Patch& patch, FeatureMap& map);
 
  private:
+  std::size_t kind_;
   std::vector<ComplexLanes> cells_;                        // directions in `re`
   std::array<float, (kGrid + 2) * (kGrid + 2)> energy_{};  // with a border of zeros
   std::array<float, kGrid> window_{};

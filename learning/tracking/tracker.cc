@@ -6,12 +6,17 @@
 #include <stdexcept>
 
 namespace pacer::tracking {
+namespace {
+
+constexpr double kLongest = 1e8;  // side, pixels: sums of them are still good to a fraction of one
+
+}  // namespace
 
 void Tracker::start(const Picture& picture, const Box& target) {
   const ImageSize size{picture.grey.cols, picture.grey.rows};
   const Box whole = Box::of_pixels(0.0, 0.0, size.width, size.height);
-  if (!is_proper(target) || target.width < 1.0 || target.height < 1.0 ||
-      overlap(target, whole) <= 0.0) {
+  if (!is_proper(target) || target.width < 1.0 || target.height < 1.0 || target.width > kLongest ||
+      target.height > kLongest || overlap(target, whole) <= 0.0) {
     throw std::invalid_argument(fmt::format(
         "a box of {:g} x {:g} pixels at ({:g}, {:g}) has nothing to track in a picture of {} x {}",
         target.width, target.height, target.left(), target.top(), size.width, size.height));

@@ -57,6 +57,9 @@ void Supervised::see(std::size_t at, const tracking::Picture& picture,
     try {
       track = tracker_->update(picture);
     } catch (const std::exception&) {  // it has lost the target, in its way
+      failures_.push_back(at);
+      tracker_.reset();
+      return;
     }
   } else {
     if (annotated && at >= failures_.back() + kPause) start(picture, *truth_[at]);
@@ -84,9 +87,8 @@ std::vector<TrackingStart> temporal_starts(Truth truth, std::size_t first) {
   }
   std::vector<TrackingStart> starts;
   if (annotated.empty()) return starts;
-  for (std::size_t i = 0; i < kStarts; ++i) {
-    starts.push_back(annotated[i * annotated.size() / kStarts]);
-  }
+  const std::size_t count = std::min(kStarts, annotated.size());  // none twice
+  for (std::size_t i = 0; i < count; ++i) starts.push_back(annotated[i * annotated.size() / count]);
   return starts;
 }
 

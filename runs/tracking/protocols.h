@@ -75,7 +75,8 @@ struct TrackingStart {
   Box box;
 };
 
-/// TRE: on the truth at 20 pictures, evenly along the annotated ones from `first` on.
+/// TRE: on the truth at 20 pictures (all, where there are fewer), evenly along the annotated ones
+/// from `first` on.
 [[nodiscard]] std::vector<TrackingStart> temporal_starts(Truth truth, std::size_t first);
 
 /// SRE: on `box` shifted by a tenth of its side in eight directions, and scaled by 0.8, 0.9, 1.1

@@ -189,7 +189,8 @@ TEST_P(TrackerContract, ABoxWithNothingInItIsRefused) {
                                          {60, 40, 0.9, 10},
                                          {nan, 40, 10, 10},
                                          {60, 40, 10, nan},
-                                         {60, 40, infinite, 10}}) {
+                                         {60, 40, infinite, 10},
+                                         {60, 40, 1e300, 10}}) {
     EXPECT_THROW(tracker->start(picture, box), std::invalid_argument)
         << box.x << ", " << box.y << ", " << box.width << " x " << box.height;
   }

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include "learning/tracking/appearance_memory.h"
 #include "learning/tracking/tracker.h"
 #include "tests/learning/tracking/texture.h"
 #include "tests/learning/tracking/tracker_names.h"
@@ -53,11 +54,11 @@ int posix_memalign(void** to, std::size_t alignment, std::size_t size) {
 namespace pacer::tracking {
 namespace {
 
-class HotPath : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(OfEveryTracker, HotPath, ::testing::ValuesIn(tracker_names()));
+class EveryHotPath : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(OfEveryTracker, EveryHotPath, ::testing::ValuesIn(tracker_names()));
 
 // Long enough for components to fill, clusters to form, and templates and predictors to leave.
-TEST_P(HotPath, AllocatesNothingAfterTheStart) {
+TEST_P(EveryHotPath, AllocatesNothingAfterTheStart) {
 #ifdef PACER_COUNTED
   const cv::Mat1b still = texture({160, 120}, 1), other = texture({160, 120}, 2);
   const Picture pictures[] = {picture_of(still), picture_of(part_of(still, {2.3, 1.1}, {160, 120})),
@@ -70,6 +71,29 @@ TEST_P(HotPath, AllocatesNothingAfterTheStart) {
     (void)tracker->update(pictures[static_cast<std::size_t>(t % 100 < 70 ? t % 2 : 2)]);
   }
   EXPECT_EQ(allocations - before, 0);
+#else
+  GTEST_SKIP() << "allocations are counted where glibc makes them, without a sanitizer";
+#endif
+}
+
+// What LP-CASCADE does now and then only.
+TEST(HotPath, AllocatesNothingForAnAspectInAFullMemory) {
+#ifdef PACER_COUNTED
+  const cv::Mat1b image = texture({200, 160}, 3);
+  RegionPyramid pyramid;
+  Patch patch(64);
+  const Similarity pose{.x = 100.0, .y = 80.0, .scale = 1.0, .angle = 0.1};
+  pyramid.take(image, pose, patch.side, 1.0);
+  pyramid.sample(pose, patch);
+  for (const int samples : {16, 100, 256}) {
+    AspectTrainer trainer({.samples = samples}, 40.0, 30.0, Random(1));
+    AppearanceMemory memory({.aspects = 2});
+    memory.clear(256);
+    for (int i = 0; i < 3; ++i) memory.remember(trainer, patch, 0);
+    const long before = allocations;
+    memory.remember(trainer, patch, 0);
+    EXPECT_EQ(allocations - before, 0) << samples;
+  }
 #else
   GTEST_SKIP() << "allocations are counted where glibc makes them, without a sanitizer";
 #endif

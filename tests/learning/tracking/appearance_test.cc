@@ -101,6 +101,7 @@ TEST(AppearanceMemory, ForgetsWhatWasNotUsedForLongestButNeverTheFirst) {
   Eigen::VectorXf seen;
   trainer.observe(patch_of(2, kPose), PoseChange::Zero(), seen);
   EXPECT_EQ(memory.match(seen), 1U);
+  memory.use(1);
   memory.remember(trainer, patch_of(4, kPose), 0);  // takes the third's place
   EXPECT_EQ(memory.size(), 3U);
   trainer.observe(patch_of(4, kPose), PoseChange::Zero(), seen);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/random.h"
 #include "tests/learning/tracking/texture.h"
 
 namespace pacer::tracking {
@@ -88,6 +89,51 @@ TEST(Patches, AreDefinedForImagesOfAnySize) {
       for (const float value : patch.samples) ASSERT_NEAR(value, 77.0F, 0.5F);
     }
   }
+}
+
+TEST(RegionPyramids, GiveWhatTheyCoverAsOneThatWasTakenForItWould) {
+  Random random(9);
+  RegionPyramid pyramid;
+  RegionPyramid fresh;
+  Patch patch(32);
+  Patch wanted(32);
+  int covered = 0;
+  for (int i = 0; i < 300; ++i) {
+    const cv::Size size(static_cast<int>(random.uniform(90, 400)),
+                        static_cast<int>(random.uniform(90, 300)));
+    const cv::Mat1b image = texture(size, static_cast<std::uint64_t>(i), 6.0);
+    const Similarity pose{.x = random.uniform(0.0, size.width),
+                          .y = random.uniform(0.0, size.height),
+                          .scale = random.uniform(0.5, 1.4),
+                          .angle = random.uniform(-3.0, 3.0)};
+    pyramid.take(image, pose, patch.side, 1.5);
+    Similarity other = pose.moved(random.uniform(-6.0, 6.0), random.uniform(-6.0, 6.0));
+    other.scale *= random.uniform(0.9, 1.05);
+    other.angle += random.uniform(-0.5, 0.5);
+    if (!pyramid.covers(other, patch.side)) continue;
+    ++covered;
+    pyramid.sample(other, patch);
+    fresh.take(image, other, patch.side, 1.0);
+    fresh.sample(other, wanted);
+    for (int row = 0; row < patch.side; row += 3) {
+      for (int column = 0; column < patch.side; column += 3) {
+        const std::size_t at =
+            static_cast<std::size_t>(row) * patch.stride + static_cast<std::size_t>(column);
+        ASSERT_NEAR(patch.data()[at], wanted.data()[at], 0.1F) << i;
+      }
+    }
+  }
+  EXPECT_GT(covered, 100);
+}
+
+TEST(RegionPyramids, KeepTheOddRowsAndColumnsOfWhatTheyHalve) {
+  cv::Mat1b ramp(1, 203);
+  for (int x = 0; x < ramp.cols; ++x) ramp(0, x) = static_cast<std::uint8_t>(x);
+  const Patch patch = patch_at(ramp, {.x = 101.0, .y = 0.0, .scale = 6.0, .angle = 0.0});
+  const float* const row = patch.data() + 16 * patch.stride;
+  for (int column = 1; column < patch.side; ++column) EXPECT_GE(row[column], row[column - 1]);
+  EXPECT_NEAR(row[0], 101.0F - 15.5F * 6.0F, 3.0F);
+  EXPECT_NEAR(row[patch.side - 1], 101.0F + 15.5F * 6.0F, 3.0F);
 }
 
 TEST(RegionPyramids, SayWhatTheyCover) {
