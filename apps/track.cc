@@ -63,7 +63,10 @@ void finish(const TrackingComparison& comparison) {
                run.target, run.tracks.size(), run.tracker_error);
   }
   if (!comparison.whole) {
-    fmt::print(stderr, "interrupted: what was tracked until then is kept\n");
+    const bool single = comparison.trackers.size() * comparison.targets.size() == 1;
+    fmt::print(stderr, "interrupted: {}\n",
+               single ? "what was tracked until then is kept"
+                      : "trackers that were through with a sequence are kept, the others are not");
     throw Unfinished{};
   }
   if (broken == nullptr) return;
@@ -166,8 +169,16 @@ void TrackCommand::tell(const TrackingComparison& comparison) const {
     page.write(report);
     fmt::print("{}: the report; open it in a browser\n", report.string());
   }
-  if (!video.empty()) fmt::print("{}: the video\n", video.string());
-  if (!out.empty()) fmt::print("{}: the results\n", out.string());
+  const bool tracked = std::ranges::any_of(
+      comparison.runs, [](const ScoredRun& one) { return !one.run.tracks.empty(); });
+  for (const auto& [path, what] : {std::pair(video, "video"), {out, "results"}}) {
+    if (path.empty()) continue;
+    if (tracked) {
+      fmt::print("{}: the {}\n", path.string(), what);
+    } else {
+      fmt::print("{}: not written, since nothing was tracked\n", path.string());
+    }
+  }
   common.write_json({{"seed", seed()},
                      {"default_tracker", tracking::trackers().front().name},
                      {"trackers", to_json(comparison)}});
@@ -236,9 +247,11 @@ void add_track(CLI::App& app, const std::stop_token& stop) {
                        "where the sequence's truth says)")
           ->check(is_box);
   command->add_flag("--draw", options->draw, "Draw the box in a window")->excludes(box);
-  command->add_option("--out", options->out,
-                      "File of the boxes, in OTB's form; where there are several results, folder "
-                      "of TRACKER/SEQUENCE.txt");
+  command
+      ->add_option("--out", options->out,
+                   "File of the boxes, in OTB's form; where there are several results, folder "
+                   "of TRACKER/SEQUENCE.txt")
+      ->check([](const std::string& text) { return text.empty() ? "names no file" : ""; });
   command
       ->add_option("--video", options->video,
                    "File of a film (mp4): boxes, truth, and what a single tracker makes of it")

@@ -18,8 +18,9 @@ void Tracker::start(const Picture& picture, const Box& target) {
   if (!is_proper(target) || target.width < 1.0 || target.height < 1.0 || target.width > kLongest ||
       target.height > kLongest || overlap(target, whole) <= 0.0) {
     throw std::invalid_argument(fmt::format(
-        "a box of {:g} x {:g} pixels at ({:g}, {:g}) has nothing to track in a picture of {} x {}",
-        target.width, target.height, target.left(), target.top(), size.width, size.height));
+        "a box of {:g} x {:g} pixels about ({:g}, {:g}) has nothing to track in a picture of "
+        "{} x {}: choose one that lies in it, a pixel or more across",
+        target.width, target.height, target.x, target.y, size.width, size.height));
   }
   begin(picture, target);
   size_ = size;

@@ -115,6 +115,7 @@ nlohmann::ordered_json to_json(const ScoredRun& one) {
                     {"precision", number(robustness->precision)}};
     }
   }
+  if (!run.whole) json["error"] = "interrupted";
   if (!run.sequence_error.empty()) json["error"] = run.sequence_error;
   if (!run.tracker_error.empty()) json["error"] = run.tracker_error;
   return json;
