@@ -63,10 +63,7 @@ void finish(const TrackingComparison& comparison) {
                run.target, run.tracks.size(), run.tracker_error);
   }
   if (!comparison.whole) {
-    const bool single = comparison.trackers.size() * comparison.targets.size() == 1;
-    fmt::print(stderr, "interrupted: {}\n",
-               single ? "what was tracked until then is kept"
-                      : "trackers that were through with a sequence are kept, the others are not");
+    fmt::print(stderr, "interrupted: what was tracked until then is kept\n");
     throw Unfinished{};
   }
   if (broken == nullptr) return;

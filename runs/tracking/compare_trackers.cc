@@ -144,23 +144,40 @@ TrackingComparison compare_trackers(const std::vector<tracking::TrackerKind>& ki
     return comparison;
   }
   SharedCounter counter;
-  TrackingOptions counted = options;
-  counted.tick = [&counter] { counter.add(1); };
+  SharedCounter stops;  // how often workers were told to hand over what they have
   const auto task = [&](std::uint32_t index) {
-    return to_bytes(run_tracker(kinds[index % kinds.size()], targets[index / kinds.size()], counted,
-                                control.stop));
+    const tracking::TrackerKind& kind = kinds[index % kinds.size()];
+    const TrackingTarget& target = targets[index / kinds.size()];
+    if (stops.value() > 0) {
+      TrackingRun none;
+      none.tracker = kind.name;
+      none.target = target.name;
+      none.first = target.first;
+      none.whole = false;
+      return to_bytes(none);
+    }
+    std::stop_source stop;
+    TrackingOptions counted = options;
+    counted.tick = [&] {
+      counter.add(1);
+      if (stops.value() > 0) stop.request_stop();
+    };
+    return to_bytes(run_tracker(kind, target, counted, stop.get_token()));
   };
   const auto take = [&](std::uint32_t index, const std::string& bytes) {
     comparison.runs.push_back(scored(tracking_run_from(bytes), targets[index / kinds.size()]));
     on_run(comparison.runs.back());
   };
   const auto tick = [&] {
+    if (control.stop.stop_requested()) stops.add(1);
     const std::uint64_t done = counter.value();
     control.progress(done, std::max(done, expected), kProgressUnit);
   };
   std::vector<std::uint32_t> indices(count);
   std::iota(indices.begin(), indices.end(), 0U);
-  comparison.whole = run_in_workers(control.jobs, indices, task, take, control.stop, tick);
+  run_in_workers(control.jobs, indices, task, take, {}, tick);
+  comparison.whole =
+      std::ranges::all_of(comparison.runs, [](const ScoredRun& one) { return one.run.whole; });
   tick();
   return comparison;
 }

@@ -24,7 +24,7 @@ struct TrackingComparison {
   std::vector<std::string> trackers;
   std::vector<std::string> peers;  ///< of the trackers, those of other people: drawn dashed
   std::vector<TrackingTarget> targets;
-  /// Target by target, each with every tracker; fewer where a stop was requested.
+  /// Target by target, each with every tracker; without tracks where a stop came first.
   std::vector<ScoredRun> runs;
   bool whole = true;
 
@@ -34,8 +34,8 @@ struct TrackingComparison {
 
 /// Runs and scores every one of `kinds` on every one of `targets`, in `control.jobs` worker
 /// processes; `on_run` gets each result in turn, as soon as it is there. A single run is done in
-/// this process (where `options.watch` may watch it), and what a stop leaves of it is kept. Throws
-/// like run_tracker() and run_in_workers().
+/// this process (where `options.watch` may watch it). What a stop leaves of each run is kept.
+/// Throws like run_tracker() and run_in_workers().
 [[nodiscard]] TrackingComparison compare_trackers(
     const std::vector<tracking::TrackerKind>& kinds, const std::vector<TrackingTarget>& targets,
     const TrackingOptions& options, const RunControl& control,

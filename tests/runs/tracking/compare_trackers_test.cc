@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stop_token>
+#include <thread>
 
 #include "runs/tracking/tracking_report.h"
 #include "runs/tracking/tracking_story.h"
@@ -22,6 +25,14 @@ using testing::kind;
 
 const std::vector<tracking::TrackerKind> kKinds = {kind<testing::Still>("still"),
                                                    kind<testing::Bright>("bright")};
+
+/// Takes its time.
+class Slow final : public testing::Still {
+  [[nodiscard]] tracking::Track follow(const tracking::Picture&) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return {.box = box_, .confidence = 1.0};
+  }
+};
 
 bool holds(const report::Page& page, const std::string& text) {
   return page.html().find(text) != std::string::npos;
@@ -150,6 +161,31 @@ TEST_F(CompareTrackers, AReportOnWhatIsGoneSaysSo) {
   report::Page page("Tracking");
   report_tracking(page, found);
   EXPECT_TRUE(holds(page, "The pictures end early: "));
+}
+
+TEST_F(CompareTrackers, KeepWhatEachHadWhenStopped) {
+  std::stop_source stop;
+  RunControl control;
+  control.jobs = 2;
+  control.stop = stop.get_token();
+  control.progress = [&](std::uint64_t done, std::uint64_t, std::string_view) {
+    if (done > 0) stop.request_stop();
+  };
+  const std::vector<tracking::TrackerKind> slow = {kind<Slow>("slow"), kind<Slow>("slower")};
+  std::size_t told = 0;
+  const TrackingComparison found =
+      compare_trackers(slow, targets_, {}, control, [&](const ScoredRun&) { ++told; });
+  EXPECT_FALSE(found.whole);
+  ASSERT_EQ(found.runs.size(), 4U) << "one a tracker and target, in their order";
+  EXPECT_EQ(told, 4U);
+  for (std::size_t i : {0U, 1U}) {
+    EXPECT_FALSE(found.runs[i].run.whole);
+    EXPECT_GT(found.runs[i].run.tracks.size(), 1U) << i;
+    EXPECT_LT(found.runs[i].run.tracks.size(), 80U) << i;
+    EXPECT_EQ(found.runs[i].score.scored, found.runs[i].run.tracks.size()) << "no more is judged";
+  }
+  EXPECT_EQ(to_json(found)["slow"]["long"]["error"], "interrupted");
+  EXPECT_EQ(found.runs[3].run.target, "short");
 }
 
 TEST_F(CompareTrackers, AStoppedComparisonCanBeReported) {
