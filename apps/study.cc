@@ -22,6 +22,12 @@ struct StudyCommand {
   std::filesystem::path sequences;
 
   void run(const std::stop_token& stop) const {
+    const Study* const study = name == "all" ? nullptr : &find_study(name);
+    std::error_code error;
+    if (!std::filesystem::exists(scenario, error)) {
+      throw UsageError(scenario.string() +
+                       ": there is no such file; go to where it is, or name one with --scenario");
+    }
     StudyContext context;
     context.scenario = common.load(scenario);
     context.control = common.control(stop);
@@ -32,16 +38,15 @@ struct StudyCommand {
     if (!images.empty()) context.images = images;
     if (!sequences.empty()) context.sequences = sequences;
     context.out = out;
-    if (name == "all") {
+    if (study == nullptr) {
       const nlohmann::ordered_json all = run_all_studies(context);
       progress.finish();
       common.write_json(all);
       return;
     }
-    const Study& study = find_study(name);
-    const nlohmann::ordered_json result = run_study(study, context);
+    const nlohmann::ordered_json result = run_study(*study, context);
     progress.finish();
-    fmt::print("{}\n{}", study.about, to_text(result));
+    fmt::print("{}\n{}", study->about, to_text(result));
     common.write_json(result);
   }
 };
