@@ -56,7 +56,12 @@ void print(const ScoredRun& one) {
 /// or where a person ended it.
 void finish(const TrackingComparison& comparison) {
   const TrackingRun* broken = nullptr;
+  std::set<std::string> partly;  // annotated, and said to be
   for (const auto& [run, score] : comparison.runs) {
+    if (score.scored > 0 && score.scored < run.pictures && partly.insert(run.target).second) {
+      fmt::print(stderr, "note: {}: {} of {} pictures have a box; only these are scored\n",
+                 run.target, score.scored, run.pictures);
+    }
     if (!run.sequence_error.empty()) broken = &run;
     if (run.tracker_error.empty()) continue;
     fmt::print(stderr, "note: {} on {}: lost after {} pictures, since it threw: {}\n", run.tracker,
