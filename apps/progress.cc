@@ -15,6 +15,7 @@ namespace {
 
 constexpr Seconds kBarPeriod{0.1};
 constexpr Seconds kLinePeriod{30.0};
+constexpr Seconds kShortest{0.05};  // time that tells a rate
 
 Seconds steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
@@ -113,7 +114,7 @@ std::string Progress::status(Seconds now) const {
   const Seconds elapsed = now - start_;
   const double fresh = static_cast<double>(done_ - resumed_);
   std::string text = total_ == 0 ? fmt::format("{}", done_) : fmt::format("{}/{}", done_, total_);
-  if (fresh <= 0.0 || elapsed.count() <= 0.0) return text;
+  if (fresh <= 0.0 || elapsed < kShortest) return text;
   const double rate = fresh / elapsed.count();
   text += "  " + rate_text(rate);
   if (total_ > done_) {
