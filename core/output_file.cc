@@ -37,6 +37,11 @@ OutputFile::OutputFile(fs::path place) : place_(std::move(place)), aside_(place_
     place_ = fs::canonical(place_);  // the link stays a link
   }
   error.clear();
+  for (fs::path above = place_.parent_path(); !above.empty() && !fs::exists(above, error);
+       above = above.parent_path()) {
+    ++made_;
+  }
+  error.clear();
   if (place_.has_parent_path()) fs::create_directories(place_.parent_path(), error);
   if (error) fail(error.value());
   aside_ = place_.string() + "." + std::to_string(::getpid()) + ".part";
@@ -45,8 +50,13 @@ OutputFile::OutputFile(fs::path place) : place_(std::move(place)), aside_(place_
 }
 
 OutputFile::~OutputFile() {
-  std::error_code ignored;
-  if (aside_ != place_) fs::remove(aside_, ignored);
+  std::error_code error;
+  if (aside_ != place_) fs::remove(aside_, error);
+  fs::path above = place_;
+  for (; made_ > 0 && !error; --made_) {  // until one holds something else
+    above = above.parent_path();
+    fs::remove(above, error);
+  }
 }
 
 void OutputFile::write(std::string_view bytes) const {
@@ -69,6 +79,7 @@ void OutputFile::keep() {
   std::error_code error;
   fs::rename(aside_, place_, error);
   if (error) fail(error.value());
+  made_ = 0;
 }
 
 void OutputFile::fail(int error) const {

@@ -14,7 +14,7 @@ class OutputFile {
   /// Makes the folders above, and tries at once whether the file can be written: before the work
   /// whose result it shall hold. Throws std::runtime_error, naming it, when it cannot.
   explicit OutputFile(std::filesystem::path place);
-  /// What was not kept is gone, and the old file stays.
+  /// What was not kept is gone, with the folders that were made for it, and the old file stays.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -33,6 +33,7 @@ class OutputFile {
 
   std::filesystem::path place_;
   std::filesystem::path aside_;  // the place itself where that is no plain file
+  int made_ = 0;                 // folders above it, the nearest ones
 };
 
 }  // namespace pacer

@@ -27,6 +27,20 @@ std::string text_of(const fs::path& file) {
 
 void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
+TEST(OutputFile, LeavesNoFolderBehindWhenItIsNotKept) {
+  const Scratch scratch;
+  { const OutputFile file(scratch / "a" / "b" / "result"); }
+  EXPECT_FALSE(fs::exists(scratch / "a"));
+  fs::create_directory(scratch / "a");
+  { const OutputFile file(scratch / "a" / "b" / "result"); }
+  EXPECT_TRUE(fs::is_empty(scratch / "a")) << "it was there before";
+  {
+    const OutputFile file(scratch / "a" / "b" / "result");
+    put(scratch / "a" / "b" / "another", "of somebody else");
+  }
+  EXPECT_EQ(text_of(scratch / "a" / "b" / "another"), "of somebody else");
+}
+
 TEST(OutputFile, TakesThePlaceOfTheOldOneOnlyWhenItIsKept) {
   const Scratch scratch;
   const fs::path place = scratch / "result";
