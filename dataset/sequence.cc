@@ -117,6 +117,11 @@ void read_targets(const TruthFiles& truth, const std::vector<NumberedPicture>& p
 }
 
 UsageError not_annotated(const fs::path& folder) {
+  if (find_pictures(folder, SequenceLayout::kOtb).empty()) {
+    return UsageError(
+        fmt::format("{}: neither pictures nor annotations; put pictures ({}) and {} in it",
+                    folder.string(), kPictureKinds, kTruths));
+  }
   return UsageError(fmt::format("{}: not annotated, so no sequence; add {}, a box a line",
                                 folder.string(), kTruths));
 }

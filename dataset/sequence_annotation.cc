@@ -44,6 +44,7 @@ Numbers read_numbers(AnnotationLine& line) {
   return read;
 }
 
+/// None where the target is absent: sides of nothing, as OTB writes it, or of less.
 std::optional<Box> box_of_pixels(double left, double top, double width, double height) {
   if (width <= 0.0 || height <= 0.0) return std::nullopt;
   return Box::of_pixels(left, top, width, height);

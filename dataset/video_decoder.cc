@@ -32,6 +32,8 @@ struct VideoDecoder::Impl {
   double skip_before = -1.0;  // s
   double expected = 0.0;      // when the next picture should be shown, s; negative: not known
   std::uint64_t frames = 0;
+  int packets = 0;  // of the stream, since the beginning
+  bool sought = false;
   bool ended = false;
 
   [[noreturn]] void fail(const std::string& why) const {
@@ -46,6 +48,10 @@ struct VideoDecoder::Impl {
     for (;;) {
       const int result = av_read_frame(input.get(), packet.get());
       if (result == AVERROR_EOF) {
+        const int listed = avformat_index_get_entries_count(stream);
+        if (!sought && packets < listed) {
+          fail(fmt::format("it is cut short: {} of {} pictures are there", packets, listed));
+        }
         require_good(avcodec_send_packet(codec.get(), nullptr));
         return false;
       }
@@ -54,6 +60,7 @@ struct VideoDecoder::Impl {
       const int sent = ours ? avcodec_send_packet(codec.get(), packet.get()) : 0;
       av_packet_unref(packet.get());
       require_good(sent);
+      packets += ours ? 1 : 0;
       if (ours) return true;
     }
   }
@@ -122,6 +129,8 @@ VideoDecoder::VideoDecoder(std::filesystem::path path) : impl_(std::make_unique<
   const int opened =
       avformat_open_input(&input, ("file:" + my.path.string()).c_str(), nullptr, &options);
   av_dict_free(&options);
+  if (opened == AVERROR_INVALIDDATA)
+    my.fail("its format is not known, or its beginning is damaged");
   my.require_good(opened);
   my.input.reset(input);
   // libav takes any text for the recording of a terminal, and would draw it.
@@ -166,6 +175,7 @@ void VideoDecoder::seek(Seconds time) {
                                 my.start() + static_cast<std::int64_t>(ticks),
                                 AVSEEK_FLAG_BACKWARD));
   avcodec_flush_buffers(my.codec.get());
+  my.sought = true;
   my.ended = false;
   my.expected = -1.0;
   my.frames = 0;

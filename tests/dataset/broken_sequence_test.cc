@@ -64,8 +64,8 @@ TEST_F(BrokenSequences, DamagedPropertiesAreNamedByTheirLine) {
 
 TEST_F(BrokenSequences, WhatIsWrongWithAFolderIsSaidInOneLine) {
   fs::create_directories(scratch_ / "empty");
-  EXPECT_THAT(complaint_about("empty"), HasSubstr("not annotated"));
-  EXPECT_THAT(complaint_about("empty"), HasSubstr("add groundtruth_rect.txt"));
+  EXPECT_THAT(complaint_about("empty"), HasSubstr("neither pictures nor annotations"));
+  EXPECT_THAT(complaint_about("empty"), HasSubstr("groundtruth_rect.txt"));
   EXPECT_THAT(complaint_about("nowhere"), HasSubstr("there is no such folder or file"));
 
   for (const char* truth : {"groundtruth_rect.txt", "groundtruth.txt", "gt.txt"}) {

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdint>
+#include <fstream>
+
 #include "tests/dataset/recording.h"
 
 namespace pacer::dataset {
@@ -45,6 +48,48 @@ TEST(Video, KeepsColoursAndOrder) {
   }
   EXPECT_FALSE(decoder.next(frame));
   EXPECT_FALSE(decoder.next(frame));
+}
+
+/// An MP4 with its index moved to the front, as the web has them: it can be opened when its end is
+/// missing.
+std::string with_index_first(const std::string& mp4) {
+  const auto number = [](const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+    return value;
+  };
+  const std::size_t moov = mp4.find("moov") - 4;
+  const std::size_t size = number(mp4, moov);
+  std::string index = mp4.substr(moov, size);
+  const std::size_t offsets = index.find("stco") + 12;
+  for (std::size_t i = 0; i < number(index, offsets - 4); ++i) {
+    const std::uint32_t moved = number(index, offsets + 4 * i) + static_cast<std::uint32_t>(size);
+    for (std::size_t byte = 0; byte < 4; ++byte) {
+      index[offsets + 4 * i + byte] = static_cast<char>(moved >> (24 - 8 * byte));
+    }
+  }
+  const std::size_t head = number(mp4, 0);  // ftyp
+  return mp4.substr(0, head) + index + mp4.substr(head, moov - head) + mp4.substr(moov + size);
+}
+
+TEST(Video, SaysWhenItIsCutShort) {
+  const Scratch scratch;
+  encode(scratch / "video.mp4", 20);
+  const std::string whole = with_index_first(read_text(scratch / "video.mp4"));
+  const auto frames_of = [&](const std::string& bytes) {
+    std::ofstream(scratch / "web.mp4", std::ios::binary) << bytes;
+    VideoDecoder decoder(scratch / "web.mp4");
+    Frame frame;
+    int frames = 0;
+    while (decoder.next(frame)) ++frames;
+    return frames;
+  };
+  EXPECT_EQ(frames_of(whole), 20);
+  for (const double share : {0.6, 0.8, 0.95}) {
+    const auto kept = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
+    EXPECT_THROW((void)frames_of(whole.substr(0, kept)), std::runtime_error) << share;
+  }
 }
 
 TEST(Video, SeeksToTheFrameShownAtATime) {
