@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <thread>
 
 #include "core/check.h"
@@ -19,6 +20,17 @@ CLI::Validator writable_file() {
             } catch (const std::exception& error) {
               return std::string(error.what());
             }
+          },
+          ""};
+}
+
+CLI::Validator film_file() {
+  return {[](const std::string& file) {
+            std::string kind = std::filesystem::path(file).extension().string();
+            std::ranges::transform(kind, kind.begin(),
+                                   [](unsigned char c) { return std::tolower(c); });
+            if (kind == ".mp4") return writable_file()(std::string(file));
+            return file + ": a film is an MP4; give it a name that ends in .mp4";
           },
           ""};
 }

@@ -36,6 +36,9 @@ struct CommonOptions {
 /// For options that name a file to write: tries it before the work is done.
 [[nodiscard]] CLI::Validator writable_file();
 
+/// For options that name a film to write: as writable_file(), and .mp4 is all that is written.
+[[nodiscard]] CLI::Validator film_file();
+
 /// For options that count: digits, where CLI11 would wrap what is negative or too large.
 [[nodiscard]] CLI::Validator whole_number();
 

@@ -62,7 +62,7 @@ void add_drive(CLI::App& app, const std::stop_token& stop) {
   command->add_flag("--until-the-end", options->options.until_the_end,
                     "Go on when the episode has failed");
   command->add_option("--video", options->options.video, "File of the film (mp4)")
-      ->check(writable_file());
+      ->check(film_file());
   options->common.add_to(*command);
   command->footer(
       "Example: pacer drive scenarios/follow.yaml --policy out/follow.model --video out/drive.mp4");

@@ -129,13 +129,18 @@ class BadInput(CommandTest):
     def test_no_result_takes_the_place_of_what_is_read_or_of_another(self):
         drives = self.scratch / "d"
         shutil.copytree(DRIVES, drives)
-        both = self.scratch / "both"
+        both = self.scratch / "both.mp4"
         for command in [train(drives / "meta/info.json", drives),
                         ["inspect", drives, "--json", drives / "meta/stats.json"],
                         ["inspect", MODEL, "--json", MODEL],
                         self.drive("neutral", "--video", both, "--json", both)]:
             self.assertIn("name another file", self.refusal(*command, status=BAD_USAGE))
         self.assert_same_trees(DRIVES, drives)
+
+    def test_a_film_is_an_mp4(self):
+        self.assertIn("ends in .mp4", self.refusal(
+            *self.drive("neutral", "--video", self.scratch / "film.avi"), status=BAD_USAGE))
+        self.assertEqual(list(self.scratch.iterdir()), [])
 
     def test_a_recorded_car_is_neither_taught_nor_scored(self):
         replay = settings(car="replayed", replayed__dataset=DRIVES)
@@ -151,7 +156,7 @@ class BadInput(CommandTest):
                                                        status=BAD_USAGE))
 
     def test_a_full_device_is_named(self):
-        link = self.scratch / "full"
+        link = self.scratch / "full.mp4"
         link.symlink_to("/dev/full")
         for command in [["inspect", DRIVES, "--quick", "--json", link],
                         ["evaluate", SCENARIO, *SMALL, "--policy", "neutral", "--episodes", 1,
