@@ -64,8 +64,13 @@ void finish(const TrackingComparison& comparison) {
     }
     if (!run.sequence_error.empty()) broken = &run;
     if (run.tracker_error.empty()) continue;
-    fmt::print(stderr, "note: {} on {}: lost after {} pictures, since it threw: {}\n", run.tracker,
-               run.target, run.tracks.size(), run.tracker_error);
+    if (run.tracks.empty()) {
+      fmt::print(stderr, "note: {} on {}: not started: {}\n", run.tracker, run.target,
+                 run.tracker_error);
+    } else {
+      fmt::print(stderr, "note: {} on {}: lost after {} pictures, since it threw: {}\n",
+                 run.tracker, run.target, run.tracks.size(), run.tracker_error);
+    }
   }
   if (!comparison.whole) {
     fmt::print(stderr, "interrupted: what was tracked until then is kept\n");
@@ -257,7 +262,7 @@ void add_track(CLI::App& app, const std::stop_token& stop) {
   command
       ->add_option("--video", options->video,
                    "File of a film (mp4): boxes, truth, and what a single tracker makes of it")
-      ->check(writable_file());
+      ->check(film_file());
   command->add_option("--report", options->report, "File of the report (HTML)")
       ->check(writable_file());
   command->add_flag("--robustness", options->robustness,

@@ -28,7 +28,8 @@ class Tracker {
 
   /// Begins anew on `target`, whatever came before. The box may leave the picture in part, be a
   /// pixel wide, or be larger than the picture. Throws std::invalid_argument when it is not proper,
-  /// a side is shorter than a pixel or longer than 1e8, or no pixel of the picture lies in it.
+  /// a side is shorter than a pixel or longer than 1e8, no pixel of the picture lies in it, or
+  /// (other people's trackers alone) the library cannot take what lies in it.
   void start(const Picture& picture, const Box& target);
 
   /// Where the target is in the next picture. Throws std::logic_error before start(), and

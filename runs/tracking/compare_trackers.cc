@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs/tracking/compare_trackers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <utility>
 
 #include "runs/shared_counter.h"
 #include "runs/worker_pool.h"
@@ -89,7 +92,7 @@ void divide(TrackerSummary& sum, double count) {
   }
 }
 
-nlohmann::ordered_json to_json(const ScoredRun& one) {
+nlohmann::ordered_json to_json(const ScoredRun& one, std::size_t pictures) {
   const auto& [run, score] = one;
   const auto number = [](double value) {
     return std::isnan(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
@@ -102,6 +105,7 @@ nlohmann::ordered_json to_json(const ScoredRun& one) {
                                  {"lost_at", nullptr},
                                  {"failures", nullptr},
                                  {"frames", run.pictures},
+                                 {"pictures", pictures},
                                  {"scored", score.scored},
                                  {"error", nullptr}};
   if (known) {
@@ -126,6 +130,17 @@ nlohmann::ordered_json to_json(const ScoredRun& one) {
 const ScoredRun* TrackingComparison::find(std::size_t target, std::size_t tracker) const {
   const std::size_t at = target * trackers.size() + tracker;
   return tracker < trackers.size() && at < runs.size() ? &runs[at] : nullptr;
+}
+
+std::size_t TrackingComparison::pictures(std::size_t target) const {
+  const TrackingTarget& which = targets.at(target);
+  const std::size_t files = which.sequence.pictures.size();
+  std::size_t most = files - std::min(files, which.first);
+  for (std::size_t tracker = 0; tracker < trackers.size(); ++tracker) {
+    if (const ScoredRun* const one = find(target, tracker))
+      most = std::max(most, one->run.pictures);
+  }
+  return most;
 }
 
 TrackingComparison compare_trackers(const std::vector<tracking::TrackerKind>& kinds,
@@ -192,8 +207,10 @@ std::vector<TrackerSummary> summarise(const TrackingComparison& comparison) {
     std::size_t held = 0;
     for (std::size_t target = 0; target < comparison.targets.size(); ++target) {
       const ScoredRun* const one = comparison.find(target, tracker);
+      sum.pictures += comparison.pictures(target);
       if (one == nullptr) continue;
       fps.push_back(one->run.fps());
+      sum.shown += one->run.pictures;
       if (one->score.scored == 0) continue;
       ++targets;
       scored += one->score.scored;
@@ -215,8 +232,9 @@ report::Cell speed_cell(double fps) {
 report::Table summary_table(const TrackingComparison& comparison) {
   std::vector<TrackerSummary> summaries = summarise(comparison);
   std::ranges::stable_sort(summaries, std::greater{}, [](const TrackerSummary& one) {
-    return std::isnan(one.success) ? -1.0 : one.success;
+    return std::pair(one.whole(), std::isnan(one.success) ? -1.0 : one.success);
   });
+  const bool cut_short = !std::ranges::all_of(summaries, &TrackerSummary::whole);
   const bool robustness =
       std::ranges::any_of(summaries, [](const auto& one) { return !std::isnan(one.temporal); });
   using enum report::Better;
@@ -232,10 +250,13 @@ report::Table summary_table(const TrackingComparison& comparison) {
     table.columns.push_back({.heading = "TRE", .unit = "AUC", .decimals = 3, .better = kHigher});
     table.columns.push_back({.heading = "SRE", .unit = "AUC", .decimals = 3, .better = kHigher});
   }
+  if (cut_short) table.columns.push_back({.heading = "pictures"});
   for (const TrackerSummary& one : summaries) {
     report::Row row{.cells = {one.name, one.success, one.precision, one.held, one.failures,
-                              speed_cell(one.fps)}};
+                              speed_cell(one.fps)},
+                    .competes = one.whole()};
     if (robustness) row.cells.insert(row.cells.end(), {one.temporal, one.spatial});
+    if (cut_short) row.cells.push_back(fmt::format("{} of {}", one.shown, one.pictures));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -248,7 +269,8 @@ nlohmann::ordered_json to_json(const TrackingComparison& comparison) {
     targets = nlohmann::ordered_json::object();
     for (std::size_t target = 0; target < comparison.targets.size(); ++target) {
       const ScoredRun* const one = comparison.find(target, tracker);
-      if (one != nullptr) targets[comparison.targets[target].name] = to_json(*one);
+      if (one != nullptr)
+        targets[comparison.targets[target].name] = to_json(*one, comparison.pictures(target));
     }
   }
   return json;

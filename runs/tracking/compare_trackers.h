@@ -30,6 +30,9 @@ struct TrackingComparison {
 
   /// Null where it was not run.
   [[nodiscard]] const ScoredRun* find(std::size_t target, std::size_t tracker) const;
+  /// Pictures of a target from its start on; where its video does not tell, the most that any
+  /// tracker was shown.
+  [[nodiscard]] std::size_t pictures(std::size_t target) const;
 };
 
 /// Runs and scores every one of `kinds` on every one of `targets`, in `control.jobs` worker
@@ -53,19 +56,24 @@ struct TrackerSummary {
   double fps = 0.0;       ///< median over targets, those without truth too
   double temporal = 0.0;  ///< success under OTB's TRE and SRE; NaN where these were not run
   double spatial = 0.0;
+  std::size_t shown = 0;     ///< pictures, over all targets
+  std::size_t pictures = 0;  ///< that there are; more than `shown` where it was cut short
+
+  [[nodiscard]] bool whole() const noexcept { return shown == pictures; }
 };
 
 /// One a tracker, in their order.
 [[nodiscard]] std::vector<TrackerSummary> summarise(const TrackingComparison& comparison);
 
-/// The summaries, the best success first.
+/// The summaries, the best success first; those that were cut short come after all others and say
+/// so, since an easy beginning flatters.
 [[nodiscard]] report::Table summary_table(const TrackingComparison& comparison);
 
 /// A speed in a table: whole frames a second.
 [[nodiscard]] report::Cell speed_cell(double fps);
 
 /// {TRACKER: {TARGET: {"success", "precision", "fps", "frames_held", "lost_at", "failures",
-/// "frames", "scored", "error"}}}; null where something was not measured.
+/// "frames", "pictures", "scored", "error"}}}; null where something was not measured.
 [[nodiscard]] nlohmann::ordered_json to_json(const TrackingComparison& comparison);
 
 }  // namespace pacer

@@ -15,16 +15,18 @@ const Frame& TrackerDrawing::draw(std::size_t at, const cv::Mat& bgr, const trac
   if (!marks.patches.empty()) expect_patches();
   if (!view_) {
     const ImageSize size{bgr.cols, bgr.rows};
-    std::vector<BoxStyle> styles = {{.name = tracker_, .colour = "#FF9F1C"}};
+    std::vector<BoxStyle> styles;
     if (with_truth_) styles.push_back(truth_style());
+    styles.push_back({.name = tracker_, .colour = "#FF9F1C"});
     view_.emplace(
         size, std::move(styles),
         TrackingView::Layout{.scale = TrackingView::magnification(size), .patches = patches_});
   }
   const bool lost = track.confidence <= 0.0;
   const std::string state = lost ? "lost" : fmt::format("confidence {:.2f}", track.confidence);
-  std::vector<std::optional<Box>> boxes = {lost ? std::nullopt : std::optional(track.box)};
+  std::vector<std::optional<Box>> boxes;
   if (with_truth_) boxes.push_back(truth);
+  boxes.push_back(lost ? std::nullopt : std::optional(track.box));
   view_->draw(bgr, fmt::format("picture {}   {}", at + 1, state), boxes, marks, drawn_);
   return drawn_;
 }

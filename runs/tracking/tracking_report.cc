@@ -24,7 +24,11 @@ bool has_truth(const TrackingComparison& comparison) {
 }
 
 void add_tiles(Content& content, const TrackingComparison& comparison) {
-  const std::vector<TrackerSummary> summaries = summarise(comparison);
+  std::vector<TrackerSummary> summaries = summarise(comparison);
+  if (std::ranges::any_of(summaries,
+                          &TrackerSummary::whole)) {  // the others are not to be compared
+    std::erase_if(summaries, [](const TrackerSummary& one) { return !one.whole(); });
+  }
   const auto tile = [](const char* label, const TrackerSummary& one, std::string detail) {
     return report::Tile{.label = label, .value = one.name, .detail = std::move(detail)};
   };
@@ -106,6 +110,12 @@ void report_target(report::Page& page, const TrackingComparison& comparison, std
 
 void report_tracking(report::Page& page, const TrackingComparison& comparison) {
   const bool scored = has_truth(comparison);
+  if (!comparison.whole) {
+    page.lead().note(
+        "Interrupted: trackers that were not shown every picture come last in the ranking, which "
+        "says how many they saw. Run the command again for the whole comparison.",
+        report::Verdict::kShort);
+  }
   if (!comparison.runs.empty()) add_tiles(page.lead(), comparison);
   Content& ranking = page.section("Ranking");
   ranking.table(summary_table(comparison));
@@ -118,6 +128,10 @@ void report_tracking(report::Page& page, const TrackingComparison& comparison) {
       "tracker alone, from picture in memory to box, on one core; the median over sequences. "
       "Pictures without truth count nowhere.",
       TrackingScore::kLossWindow));
+  ranking.paragraph(
+      "AUC: area under the curve. OTB and VOT: the benchmarks whose measures these are. LP: linear "
+      "predictor; LK: Lucas-Kanade; FLOCK, SMAT, MED: the thesis's ways to combine and re-learn "
+      "them; CASCADE: ours beyond it. What each of the others is: pacer track --help.");
   if (scored) {
     const std::vector<report::Chart> plots = {
         {.spec = tracking_charts::success_plot(comparison), .caption = {}},

@@ -105,7 +105,7 @@ void TrackingView::draw(const cv::Mat& bgr, const std::string& caption,
   cv::cvtColor(shown, picture, cv::COLOR_BGR2RGB);
   report::Marker marker(picture, layout_.scale);
   marker.marks(marks);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
+  for (std::size_t i = boxes.size(); i-- > 0;) {  // the first, the truth, on top
     if (boxes[i]) {
       marker.outline(*boxes[i], report::colour_of(styles_[i].colour), styles_[i].dashed);
     }

@@ -256,9 +256,11 @@ class Track(CommandTest):
         self.assertIn("camera:x", self.refusal("track", "camera:x", status=BAD_USAGE))
 
     def test_no_result_takes_the_place_of_what_is_read(self):
-        for option in ["--out", "--video", "--report", "--json"]:
+        for option in ["--out", "--report", "--json"]:
             line = self.refusal("track", self.sequence, option, self.truth, status=BAD_USAGE)
             self.assertIn("name another file", line)
+        self.assertIn("ends in .mp4", self.refusal("track", self.sequence, "--video", self.truth,
+                                                   status=BAD_USAGE))
         file = self.scratch / "file"
         file.write_text("")
         self.assertIn("folder", self.refusal("track", self.sequence, "--tracker", "KCF", "MOSSE",

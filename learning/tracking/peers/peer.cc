@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/tracking/peers/peer.h"
 
+#include <fmt/format.h>
+
 #include <exception>
 #include <opencv2/core/mat.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "learning/tracking/whole_pixels.h"
 
@@ -12,12 +16,16 @@ void Peer::begin(const Picture& picture, const Box& target) {
   last_ = target;
   running_ = false;
   const cv::Rect pixels = whole_pixels(target, picture.grey.size());
-  if (pixels.empty()) return;
+  std::string why = "its library cannot start";
   try {
-    running_ = start_library(picture, pixels);
-  } catch (const std::exception&) {
-    // What the library cannot track is lost, as is what it loses later.
+    running_ = !pixels.empty() && start_library(picture, pixels);
+  } catch (const std::exception& failure) {
+    const std::string said = failure.what();
+    why += fmt::format(" ({})", said.substr(0, said.find('\n')));
   }
+  if (running_) return;
+  throw std::invalid_argument(fmt::format("{} on the {} x {} pixels of the box in the picture", why,
+                                          pixels.width, pixels.height));
 }
 
 Track Peer::follow(const Picture& picture) {

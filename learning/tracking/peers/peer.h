@@ -7,7 +7,8 @@
 
 namespace pacer::tracking {
 
-/// What every peer does around its library, which may throw, and may answer with any box.
+/// What every peer does around its library, which may throw, and may answer with any box. Starting
+/// throws std::invalid_argument on what the library cannot take; what it fails on later is lost.
 class Peer : public Tracker {
  private:
   void begin(const Picture& picture, const Box& target) final;

@@ -103,6 +103,24 @@ TEST_F(CompareTrackers, TheTableIsRankedBySuccess) {
   EXPECT_LT(report::markdown(table).find("| bright |"), report::markdown(table).find("| still |"));
 }
 
+TEST_F(CompareTrackers, WhatWasCutShortComesLastInTheRankingAndSaysSo) {
+  TrackingComparison found = compare(1);
+  EXPECT_EQ(report::markdown(summary_table(found)).find("pictures"), std::string::npos);
+  ScoredRun& bright = found.runs[1];  // on the long one: all but its beginning
+  bright.run.pictures = 5;
+  bright.run.whole = found.whole = false;
+  const std::string table = report::markdown(summary_table(found));
+  EXPECT_LT(table.find("| still |"), table.find("| bright |")) << "though less successful";
+  EXPECT_THAT(table, HasSubstr("32 of 107"));
+  EXPECT_THAT(table, HasSubstr("107 of 107"));
+  const nlohmann::ordered_json json = to_json(found);
+  EXPECT_EQ(json["bright"]["long"]["frames"], 5);
+  EXPECT_EQ(json["bright"]["long"]["pictures"], 80);
+  report::Page page("Tracking");
+  report_tracking(page, found);
+  EXPECT_TRUE(holds(page, "Interrupted: "));
+}
+
 TEST_F(CompareTrackers, JsonHoldsWhatWasMeasured) {
   const nlohmann::ordered_json json = to_json(compare(1));
   const auto& one = json.at("still").at("short");

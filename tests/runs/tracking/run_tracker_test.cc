@@ -241,8 +241,10 @@ TEST(ChooseTrackers, TakesThemInTheOrderOfTheNames) {
   };
   EXPECT_THAT(names({}), ElementsAre("a"));
   EXPECT_THAT(names({"b", "a"}), ElementsAre("b", "a"));
+  EXPECT_THAT(names({"B"}), ElementsAre("b")) << "capitals do not matter";
   EXPECT_THAT(names({"all"}), ElementsAre("a", "b"));
-  EXPECT_THROW((void)names({"a", "a"}), UsageError);
+  EXPECT_THAT(names({"b", "all"}), ElementsAre("a", "b"));
+  EXPECT_THROW((void)names({"a", "A"}), UsageError);
   try {
     (void)names({"c"});
     FAIL();

@@ -80,22 +80,25 @@ TEST(Peer, IsLostUntilStartedAgainOnceItsLibraryHasFailed) {
   }
 }
 
-TEST(Peer, IsLostFromTheStartWhereItsLibraryDoesNotTakeTheTarget) {
+TEST(Peer, RefusesToStartOnWhatItsLibraryDoesNotTake) {
+  const auto refusal = [](FakePeer& peer, const Box& target) -> std::string {
+    try {
+      peer.start(plain(), target);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
   FakePeer peer;
   peer.takes = false;
-  peer.start(plain(), kTarget);
-  EXPECT_EQ(peer.update(plain()).confidence, 0.0);
+  EXPECT_EQ(refusal(peer, kTarget),
+            "its library cannot start on the 9 x 9 pixels of the box in the picture");
   peer.does = FakePeer::Does::kThrow;
-  peer.start(plain(), kTarget);
-  EXPECT_EQ(peer.update(plain()).confidence, 0.0);
-  EXPECT_EQ(peer.update(plain()).box, kTarget);
-}
-
-TEST(Peer, GetsNoEmptyTarget) {
-  FakePeer peer;
-  peer.start(plain(), Box::of_pixels(79.6, 20.0, 9.0, 9.0));  // rounds out of the picture
-  EXPECT_EQ(peer.starts, 0);
-  EXPECT_EQ(peer.update(plain()).confidence, 0.0);
+  EXPECT_THAT(refusal(peer, kTarget), ::testing::HasSubstr("cannot start (no texture) on"));
+  peer = {};
+  EXPECT_THAT(refusal(peer, Box::of_pixels(79.6, 20.0, 9.0, 9.0)),  // rounds out of the picture
+              ::testing::HasSubstr("the 0 x 9 pixels"));
+  EXPECT_EQ(peer.starts, 0) << "a library gets no empty target";
 }
 
 TEST(Peers, AreNamedAsInTheTables) {
