@@ -55,9 +55,9 @@ std::filesystem::path Materials::model(std::uint64_t episodes) const {
   return file;
 }
 
-std::filesystem::path Materials::sequences() const {
-  std::filesystem::path folder = place("sequences", std::to_string(context_.scenario.seed));
-  if (!render_sequences({}, context_.scenario.seed, folder, context_.control).whole) {
+std::filesystem::path Materials::sequences(std::uint64_t seed) const {
+  std::filesystem::path folder = place("sequences", std::to_string(seed));
+  if (!render_sequences({}, seed, folder, context_.control).whole) {
     throw StudyStopped();
   }
   return folder;

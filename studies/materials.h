@@ -24,8 +24,8 @@ class Materials {
   /// A model learnt from the first `episodes` demonstrated episodes: its file.
   [[nodiscard]] std::filesystem::path model(std::uint64_t episodes) const;
 
-  /// The simulated tracking sequences, each a folder in this one.
-  [[nodiscard]] std::filesystem::path sequences() const;
+  /// The simulated tracking sequences of `seed`, each a folder in this one.
+  [[nodiscard]] std::filesystem::path sequences(std::uint64_t seed) const;
 
   /// Of the program and the scenario: what a result depends on.
   [[nodiscard]] std::string fingerprint() const;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/random.h"
 #include "learning/tracking/peers/peers.h"
 #include "runs/tracking/tracking_report.h"
 #include "studies/materials.h"
@@ -17,9 +20,25 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// How far the default tracker's confidence is to be believed on what nobody has looked at: the
+/// simulated sequences of another seed.
+Reliability held_out(const StudyContext& context) {
+  const std::uint64_t seed = Random(context.scenario.seed)
+                                 .fork("held-out")
+                                 .below(std::numeric_limits<std::uint32_t>::max());
+  TrackingTargets targets;
+  add_simulated(Materials(context).sequences(seed), targets);
+  Reliability reliability;
+  for (const ScoredRun& run :
+       track_all({tracking::trackers().front()}, targets.all, seed, context.control).runs) {
+    reliability.add(run);
+  }
+  return reliability;
+}
+
 TrackingStudy measure(const StudyContext& context) {
   TrackingTargets targets = given_targets(context.sequences);
-  add_simulated(Materials(context).sequences(), targets);
+  add_simulated(Materials(context).sequences(context.scenario.seed), targets);
   const std::vector<tracking::TrackerKind>& ours = tracking::trackers();
   const std::vector<tracking::TrackerKind>& peers = tracking::peers();
   std::vector<tracking::TrackerKind> kinds = ours;
@@ -36,6 +55,7 @@ TrackingStudy measure(const StudyContext& context) {
     const ScoredRun* const run = all.comparison.find(target, 0);
     (target < all.given ? all.reliability_given : all.reliability_simulated).add(*run);
   }
+  all.reliability_held_out = held_out(context);
   return all;
 }
 
@@ -76,10 +96,12 @@ ordered_json figures_of(const TrackingStudy& all) {
           {"cost_exponents", std::move(exponents)},
           {"calibration_error",
            {{"given", number(all.reliability_given.calibration_error())},
-            {"simulated", number(all.reliability_simulated.calibration_error())}}},
+            {"simulated", number(all.reliability_simulated.calibration_error())},
+            {"held_out", number(all.reliability_held_out.calibration_error())}}},
           {"reliability",
            {{"given", to_json(all.reliability_given)},
-            {"simulated", to_json(all.reliability_simulated)}}}};
+            {"simulated", to_json(all.reliability_simulated)},
+            {"held_out", to_json(all.reliability_held_out)}}}};
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct TrackingStudy {
   TrackingComparison comparison;
   std::size_t given = 0;  ///< of its targets
   std::vector<TrackingCost> costs;
-  Reliability reliability_given, reliability_simulated;  ///< the default tracker's
+  // The default tracker's; held out: on sequences that no setting was ever chosen on.
+  Reliability reliability_given, reliability_simulated, reliability_held_out;
 
   [[nodiscard]] TrackingComparison on_given() const { return part(comparison, 0, given); }
   [[nodiscard]] TrackingComparison on_simulated() const {
