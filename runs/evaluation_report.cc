@@ -142,7 +142,7 @@ report::Page evaluation_page(const Scenario& scenario, const std::vector<PolicyS
   const affordance::Model* model = nullptr;
   for (const PolicySource& source : policies) {
     names.push_back(source.name());
-    if (model == nullptr) model = source.model().get();
+    if (model == nullptr) model = source.affordances().get();
   }
   const Palette palette(names);
 

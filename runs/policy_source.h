@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/policy.h"
 #include "core/random.h"
 #include "learning/affordance/model.h"
+#include "learning/exemplar/model.h"
 #include "scenarios/scenario.h"
 #include "sim/sim_car.h"
 
@@ -36,18 +38,16 @@ class PolicySource {
   /// does not carry over.
   void check_rate(double rate_hz) const;
 
-  /// Null unless it is a model.
-  [[nodiscard]] const std::shared_ptr<const affordance::Model>& model() const noexcept {
-    return model_;
-  }
+  /// Null unless it is a model of affordances (chapter 6).
+  [[nodiscard]] std::shared_ptr<const affordance::Model> affordances() const noexcept;
 
  private:
-  enum class Kind : std::uint8_t { kTeacher, kConstant, kAffordance };
+  struct Teacher {};
 
   std::string name_;
-  Kind kind_ = Kind::kConstant;
-  Command constant_;
-  std::shared_ptr<const affordance::Model> model_;
+  std::variant<Command, Teacher, std::shared_ptr<const affordance::Model>,
+               std::shared_ptr<const exemplar::Model>>
+      what_;  // a command: that one, always
 };
 
 }  // namespace pacer

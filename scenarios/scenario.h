@@ -74,6 +74,7 @@ struct Scenario {
   sim::ClickTeacherConfig click_teacher;  ///< of reaching
   ImpulseConfig impulses;                 ///< of reaching
   affordance::AffordanceConfig affordance;
+  exemplar::ExemplarConfig exemplar;
   FollowingConfig following;
   ReachingConfig reaching;
   dataset::VideoSettings video;  ///< of recorded datasets
@@ -97,6 +98,7 @@ struct Scenario {
     visit("click_teacher", click_teacher);
     visit("impulses", impulses);
     visit("affordance", affordance);
+    visit("exemplar", exemplar);
     visit("following", following);
     visit("reaching", reaching);
     visit("video", video);

@@ -48,6 +48,7 @@ struct StudyContext {
 struct Study {
   std::string name;
   std::string about;  ///< one line
+  std::string scenario;  ///< of scenarios/, that it is measured on
   /// Measures, and puts plots and tables on the page.
   StudyResult (*run)(const StudyContext& context, report::Page& page);
 };
