@@ -21,6 +21,15 @@ Command mean_command(const affordance::Model& model) {
 
 }  // namespace
 
+std::unique_ptr<Policy> make_teacher(const Scenario& scenario, const sim::SimCar& car,
+                                     const Random& random) {
+  if (scenario.what_for() == Goal::kReach) {
+    return std::make_unique<sim::ClickTeacher>(scenario.click_teacher, car.balloon_sights(),
+                                               random);
+  }
+  return std::make_unique<sim::Teacher>(scenario.teacher, car.lead_sight(), random);
+}
+
 std::vector<PolicySource> PolicySource::load(const std::vector<std::string>& names) {
   std::vector<PolicySource> sources;
   std::shared_ptr<const affordance::Model> first_model;
@@ -54,8 +63,7 @@ std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::
   switch (kind_) {
     case Kind::kTeacher:
       if (car == nullptr) throw UsageError("--policy teacher: drives the simulated car only");
-      return std::make_unique<sim::Teacher>(scenario.teacher, car->lead_sight(),
-                                            random.fork("teacher"));
+      return make_teacher(scenario, *car, random.fork("teacher"));
     case Kind::kAffordance:
       return std::make_unique<affordance::AffordancePolicy>(model_);
     case Kind::kConstant:

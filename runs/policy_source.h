@@ -13,6 +13,10 @@
 
 namespace pacer {
 
+/// The scripted teacher of what the scenario is for, at the wheel of `car`, which must outlive it.
+[[nodiscard]] std::unique_ptr<Policy> make_teacher(const Scenario& scenario, const sim::SimCar& car,
+                                                   const Random& random);
+
 /// Something that `--policy` names: a model file, `teacher`, `neutral` or `mean`. Its model is
 /// loaded once, and shared by the policies made from it.
 class PolicySource {
