@@ -74,6 +74,7 @@ const std::vector<Study>& studies() {
        study_tracking},
       {"response", "frame to command on one core, SIFT included", study_response},
       {"throughput", "recording against a bare simulation loop", study_throughput},
+      {"blobs", "balloons found in pictures with exact truth, OpenCV beside", study_blobs},
       {"apriori", "mining: equal to independent implementations, and its time", study_apriori},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", study_hits},
       {"following", "closed loop in unseen rooms, against the teacher", study_following}};

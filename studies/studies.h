@@ -7,6 +7,7 @@ namespace pacer {
 
 // One function for each study, each in a file of its own.
 StudyResult study_apriori(const StudyContext& context, report::Page& page);
+StudyResult study_blobs(const StudyContext& context, report::Page& page);
 StudyResult study_convergence(const StudyContext& context, report::Page& page);
 StudyResult study_following(const StudyContext& context, report::Page& page);
 StudyResult study_hits(const StudyContext& context, report::Page& page);
