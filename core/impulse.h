@@ -13,9 +13,9 @@ namespace pacer {
 
 /// How one impulse goes (thesis, 5.3.1: "each action starts and ends with the car stationary").
 struct ImpulseConfig {
-  Seconds move{0.48};    ///< that the command is held
+  Seconds move{0.40};    ///< that the command is held
   Seconds settle{0.72};  ///< from then on, until the car stands and a picture of that has come
-  double brake = 0.3;    ///< stick below neutral meanwhile; 0 lets it coast
+  double brake = 1.0;    ///< stick below neutral meanwhile; 0 lets it coast
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;

@@ -65,9 +65,8 @@ void PlacementConfig::validate() const {
   require(clearance >= 0.2 && clearance <= 2.0, "clearance_m: must lie in [0.2, 2]");
   require(radius >= 0.4 && radius <= 5.0, "radius_m: must lie in [0.4, 5]");
   require(view > 0.0 && view < 90.0, "view_deg: must lie in (0, 90)");
-  require(apart >= 0.3 && apart <= 5.0, "apart_m: must lie in [0.3, 5]");
+  apart.validate("apart_m", 0.3, 20.0);
   require(aside >= 0.2 && aside <= 5.0, "aside_m: must lie in [0.2, 5]");
-  green_distance.validate("green_distance_m", 0.3, 20.0);
 }
 
 Placement place_for_reaching(const PlacementConfig& config, const RoomPlan& plan,
@@ -99,8 +98,7 @@ Placement place_for_reaching(const PlacementConfig& config, const RoomPlan& plan
     for (int j = 0; j < kGreens; ++j) {
       placement.green = anywhere();
       if (floor.has(placement.green, kBalloon) &&
-          within(config.green_distance, (placement.green - placement.car.position).norm()) &&
-          (placement.green - placement.red).norm() >= config.apart &&
+          within(config.apart, (placement.green - placement.red).norm()) &&
           distance_to_way(*way, placement.green) >= config.aside) {
         return placement;
       }

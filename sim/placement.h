@@ -12,14 +12,13 @@ namespace pacer::sim {
 /// Where car and balloons are put for driving to the red one (thesis, 5.3.5: "many different
 /// positions relative to each other").
 struct PlacementConfig {
-  Range distance{1.3, 4.2};        ///< metres, from the car to the red balloon
-  Range height{0.25, 0.33};        ///< metres, of a balloon's middle: the camera's picture holds it
-  double clearance = 0.36;         ///< metres, that the car's way to it keeps from everything
-  double radius = 0.70;            ///< metres, of the circle in which the car turns
-  double view = 26.0;              ///< degrees off the axis up to which a balloon is found
-  double apart = 0.8;              ///< metres between the balloons, at least
-  double aside = 0.50;             ///< metres that the green one keeps from the way
-  Range green_distance{0.8, 3.5};  ///< metres, from the car to the green balloon
+  Range distance{1.4, 4.4};  ///< metres, from the car to the red balloon
+  Range height{0.25, 0.33};  ///< metres, of a balloon's middle: the camera's picture holds it
+  double clearance = 0.36;   ///< metres, that the car's way to it keeps from everything
+  double radius = 0.70;      ///< metres, of the circle in which the car turns
+  double view = 26.0;        ///< degrees off the axis up to which a balloon is found
+  Range apart{0.6, 2.0};     ///< metres between the balloons
+  double aside = 0.50;       ///< metres that the green one keeps from the way, at least
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
@@ -33,7 +32,6 @@ struct PlacementConfig {
     visit("view_deg", view);
     visit("apart_m", apart);
     visit("aside_m", aside);
-    visit("green_distance_m", green_distance);
   }
 };
 

@@ -98,6 +98,7 @@ class SimCar::Episode {
       visibility_.emplace(world_.model(), world_.camera(), world_.lead()->body(),
                           camera_.geometry());
     }
+    values_of(truth_, subject_, values_);
   }
 
   /// The next frame with its truth, or nullptr.

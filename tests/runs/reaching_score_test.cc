@@ -75,7 +75,8 @@ TEST(ReachingScore, ACollisionEndsIt) {
 
 TEST(ReachingScore, TouchingTheBalloonIsReachingIt) {
   const ReachingResult result = result_of([](std::uint64_t i) {
-    return Moment{.x = static_cast<float>(i), .distance = i < 9 ? 1.0F : 0.3F,
+    return Moment{.x = static_cast<float>(i),
+                  .distance = i < 9 ? 1.0F : 0.3F,
                   .collision = i < 9 ? 0.0F : 1.0F};
   });
   EXPECT_TRUE(result.reached);
@@ -88,9 +89,8 @@ TEST(ReachingScore, ACarThatStandsForTooLongIsStuck) {
   EXPECT_NEAR(still.driven_s, 8.0, 0.1);
   EXPECT_EQ(still.impulses, 0);
   // Three centimetres now and then are enough.
-  const ReachingResult creeping = result_of([](std::uint64_t i) {
-    return Moment{.x = 0.04F * static_cast<float>(i / 150)};
-  });
+  const ReachingResult creeping =
+      result_of([](std::uint64_t i) { return Moment{.x = 0.04F * static_cast<float>(i / 150)}; });
   EXPECT_FALSE(creeping.stuck);
   EXPECT_FALSE(creeping.reached);
   EXPECT_NEAR(creeping.driven_s, 60.0, 1e-9);

@@ -45,10 +45,10 @@ TEST(Placement, KeepsEveryDistanceThatIsAskedFor) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Placement placement = place_for_reaching(config, plan, Random(seed));
     const double red = (placement.red - placement.car.position).norm();
-    const double green = (placement.green - placement.car.position).norm();
+    const double apart = (placement.green - placement.red).norm();
     EXPECT_TRUE(red >= config.distance.low && red <= config.distance.high) << seed;
-    EXPECT_TRUE(green >= config.green_distance.low && green <= config.green_distance.high);
-    EXPECT_GE((placement.green - placement.red).norm(), config.apart);
+    EXPECT_TRUE(apart >= config.apart.low && apart <= config.apart.high) << seed;
+    EXPECT_GE((placement.green - placement.car.position).norm(), config.aside) << seed;
     EXPECT_GE(clearance(plan, placement.car.position), config.clearance);
     EXPECT_GE(clearance(plan, placement.red), 0.2);
     EXPECT_GE(clearance(plan, placement.green), 0.2);
