@@ -13,6 +13,7 @@
 #include "core/random.h"
 #include "dataset/video.h"
 #include "learning/affordance/config.h"
+#include "learning/exemplar/config.h"
 #include "scenarios/following.h"
 #include "scenarios/reaching.h"
 #include "sim/click_teacher.h"

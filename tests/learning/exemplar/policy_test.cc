@@ -50,8 +50,9 @@ TEST_P(Responses, TurnToTheRedDiscWhateverTheGreenOneDoes) {
 TEST_P(Responses, TurnAsTheTeacherDidWhereThereIsNoRedDisc) {
   const auto model = trained(GetParam());
   ExemplarPolicy policy(model, Random(1));
-  EXPECT_GT(response_to(policy, {.green = testing::Disc{.x = 80, .y = 40, .radius = 9}}).steering,
-            0.5);
+  DiscStep step;
+  step.green = testing::Disc{.x = 80, .y = 40, .radius = 9};
+  EXPECT_GT(response_to(policy, step).steering, 0.5);
 }
 
 TEST_P(Responses, OfTheSameSeedAreTheSame) {
@@ -66,7 +67,7 @@ TEST_P(Responses, OfTheSameSeedAreTheSame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Responses, ::testing::Values("sample", "consistent"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST(ExemplarPolicy, AnswersWhatWasDemonstratedExactly) {
   const DiscDemonstration world = DiscDemonstration::any(2, 15, 3);
@@ -83,7 +84,8 @@ TEST(ExemplarPolicy, MarksBothBalloons) {
   ExemplarPolicy policy(trained("consistent"), Random(1));
   Frame frame;
   testing::paint({.red = testing::Disc{.x = 40, .y = 40, .radius = 9},
-                  .green = testing::Disc{.x = 110, .y = 40, .radius = 9}},
+                  .green = testing::Disc{.x = 110, .y = 40, .radius = 9},
+                  .command = {}},
                  0, frame);
   Annotations annotations;
   (void)policy.act({.frame = frame, .last = {}}, annotations);
