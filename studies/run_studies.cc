@@ -75,6 +75,10 @@ const std::vector<Study>& studies() {
       {"response", "frame to command on one core, SIFT included", study_response},
       {"throughput", "recording against a bare simulation loop", study_throughput},
       {"apriori", "mining: equal to independent implementations, and its time", study_apriori},
+      {"output-clustering", "Figure 5.4: clusters of percepts against clusters of actions",
+       study_output_clustering},
+      {"exemplar-scale", "the percept-action hierarchy, from 304 exemplars to a million",
+       study_exemplar_scale},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", study_hits},
       {"following", "closed loop in unseen rooms, against the teacher", study_following}};
   return all;
