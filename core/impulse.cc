@@ -60,6 +60,7 @@ const ImpulseExemplar* ImpulseStream::next() {
   bool moving = false;
   bool settled = false;
   while (const DemonstratedStep* step = episode_->next()) {
+    ++frames_;
     const bool moves = step->command.throttle > 0.0;
     if (moving && !moves) return &exemplar_;
     if (!moves) continue;

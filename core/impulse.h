@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,8 +72,12 @@ class ImpulseStream {
   /// stream does.
   [[nodiscard]] const ImpulseExemplar* next();
 
+  /// Of the episode, read so far.
+  [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
+
  private:
   std::unique_ptr<DemonstrationStream> episode_;
+  std::uint64_t frames_ = 0;
   Frame frame_;
   ImpulseExemplar exemplar_;
 };

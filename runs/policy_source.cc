@@ -24,8 +24,8 @@ Command mean_command(const affordance::Model& model) {
 
 /// The mean impulse: the root's action model.
 Command mean_command(const exemplar::Model& model) {
-  const Eigen::Vector2d mean = model.hierarchy.action_mean(0);
-  return {.steering = mean.x(), .throttle = mean.y()};
+  const std::span<const double> mean = model.hierarchy.action_mean(0);
+  return {.steering = mean[0], .throttle = mean[1]};
 }
 
 }  // namespace

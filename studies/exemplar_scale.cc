@@ -74,7 +74,7 @@ double median_ms(const Answer& answer) {
   return *middle;
 }
 
-Scale measured(std::uint32_t size, const Random& random, const exemplar::ExemplarConfig& config) {
+Scale measured(std::uint32_t size, const Random& random, const exemplar::HierarchyConfig& config) {
   const Exemplars queries = generated(kQueries, random.fork("queries"));
   Scale scale{.exemplars = static_cast<double>(size)};
   Exemplars exemplars = generated(size, random.fork("exemplars", size));
@@ -117,7 +117,7 @@ Scale measured(std::uint32_t size, const Random& random, const exemplar::Exempla
 
 /// In a process of its own, on one core: its peak memory is that of this size.
 std::optional<Scale> measured_apart(std::uint32_t size, const StudyContext& context,
-                                    const exemplar::ExemplarConfig& config) {
+                                    const exemplar::HierarchyConfig& config) {
   std::optional<Scale> scale;
   run_in_workers(
       1, {&size, 1},
@@ -176,7 +176,7 @@ void draw(const std::vector<Scale>& scales, report::Page& page) {
 
 /// 304 to a million generated exemplars: building, the thesis's search and the pruned one.
 StudyResult study_exemplar_scale(const StudyContext& context, report::Page& page) {
-  const exemplar::ExemplarConfig config;
+  const exemplar::HierarchyConfig config;
   std::vector<Scale> scales;
   for (const std::uint32_t size : kSizes) {
     const std::optional<Scale> scale = measured_apart(size, context, config);

@@ -10,7 +10,7 @@
 namespace pacer::exemplar {
 namespace {
 
-const ExemplarConfig& validated(const ExemplarConfig& config) {
+const HierarchyConfig& validated(const HierarchyConfig& config) {
   config.validate();
   return config;
 }
@@ -41,10 +41,10 @@ PerceptPrior scale_of(const Exemplars& exemplars) {
 
 }  // namespace
 
-Hierarchy::Hierarchy(Exemplars exemplars, const ExemplarConfig& config)
+Hierarchy::Hierarchy(Exemplars exemplars, const HierarchyConfig& config)
     : Hierarchy(std::move(exemplars), config, {}) {}
 
-Hierarchy::Hierarchy(Exemplars exemplars, const ExemplarConfig& config, PerceptPrior prior)
+Hierarchy::Hierarchy(Exemplars exemplars, const HierarchyConfig& config, PerceptPrior prior)
     : exemplars_(std::move(exemplars)),
       config_(validated(config)),
       tree_(exemplars_),
@@ -186,6 +186,12 @@ Gaussian Hierarchy::percept_model(NodeId node) const {
     gaussian.covariance.col(index(i)) *= sd(i);
   }
   return gaussian;
+}
+
+std::span<const double> Hierarchy::action_mean(NodeId node) const noexcept {
+  if (!has_model(node)) return exemplars_.action(tree_.order()[tree_.nodes()[node].first]);
+  return std::span(action_moments_)
+      .subspan(models_[node] * action_point_.size(), exemplars_.action_size());
 }
 
 Gaussian Hierarchy::action_model(NodeId node) const {

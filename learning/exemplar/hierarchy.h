@@ -9,7 +9,7 @@
 
 #include "core/random.h"
 #include "learning/exemplar/action_tree.h"
-#include "learning/exemplar/config.h"
+#include "learning/exemplar/hierarchy_config.h"
 #include "learning/exemplar/exemplars.h"
 #include "learning/exemplar/gaussian.h"
 #include "learning/exemplar/percept_table.h"
@@ -41,13 +41,13 @@ struct PerceptPrior {
 class Hierarchy {
  public:
   /// Throws std::invalid_argument from `config`.
-  Hierarchy(Exemplars exemplars, const ExemplarConfig& config);
+  Hierarchy(Exemplars exemplars, const HierarchyConfig& config);
   /// With a prior from elsewhere.
-  Hierarchy(Exemplars exemplars, const ExemplarConfig& config, PerceptPrior prior);
+  Hierarchy(Exemplars exemplars, const HierarchyConfig& config, PerceptPrior prior);
 
   [[nodiscard]] const Exemplars& exemplars() const noexcept { return exemplars_; }
   [[nodiscard]] const ActionTree& tree() const noexcept { return tree_; }
-  [[nodiscard]] const ExemplarConfig& config() const noexcept { return config_; }
+  [[nodiscard]] const HierarchyConfig& config() const noexcept { return config_; }
   [[nodiscard]] const PerceptPrior& prior() const noexcept { return prior_; }
 
   [[nodiscard]] bool has_model(NodeId node) const noexcept { return models_[node] != kNoModel; }
@@ -56,6 +56,9 @@ class Hierarchy {
   [[nodiscard]] Gaussian percept_model(NodeId node) const;
   /// A node's actions, (5.3) and (5.4). The node has a model.
   [[nodiscard]] Gaussian action_model(NodeId node) const;
+
+  /// The mean (5.3) of a node's actions, j numbers; of a single one, that.
+  [[nodiscard]] std::span<const double> action_mean(NodeId node) const noexcept;
 
   /// Draws from a node's action model (5.2), or gives the exact action of a leaf. Allocates
   /// nothing.
@@ -93,7 +96,7 @@ class Hierarchy {
   void finish(NodeId node);  // what distances and samples take, from the moments
 
   Exemplars exemplars_;
-  ExemplarConfig config_;
+  HierarchyConfig config_;
   ActionTree tree_;
   PerceptTable table_;
   DistanceLayout layout_;

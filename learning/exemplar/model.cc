@@ -15,23 +15,22 @@
 namespace pacer::exemplar {
 namespace {
 
-constexpr std::string_view kMagic = "PACEREXE";
-
 void sane(bool condition, const char* what) {
   if (!condition) throw std::runtime_error(what);
 }
 
 std::string body(const Model& model) {
   ByteWriter out;
-  ExemplarConfig config = model.hierarchy.config();
+  ExemplarConfig config = model.config;
   ConfigTextWriter settings;
   config.fields(settings);
   out.text(settings.text());
+  out.value(static_cast<std::int32_t>(model.image_size.width));
+  out.value(static_cast<std::int32_t>(model.image_size.height));
   out.text(model.scenario);
   out.text(model.fingerprint);
+  for (const double value : model.drift.reshaped()) out.value(value);
   const Exemplars& exemplars = model.hierarchy.exemplars();
-  out.value(static_cast<std::uint64_t>(exemplars.percept_size()));
-  out.value(static_cast<std::uint64_t>(exemplars.action_size()));
   out.sequence(exemplars.percepts());
   out.sequence(exemplars.actions());
   return out.bytes();
@@ -43,22 +42,26 @@ Model read_body(std::string_view bytes) {
   ExemplarConfig config;
   config.fields(ConfigTextReader(settings));
   config.validate();
+  ImageSize size;
+  size.width = in.value<std::int32_t>();
+  size.height = in.value<std::int32_t>();
+  sane(size.width > 0 && size.height > 0, "image size");
   std::string scenario = in.text();
   std::string fingerprint = in.text();
-  // A model holds i^2 numbers and costs i^3: what no percept needs is refused before it is built.
-  constexpr std::uint64_t kMostNumbers = 512;
-  const auto percept_size = in.value<std::uint64_t>();
-  const auto action_size = in.value<std::uint64_t>();
-  sane(percept_size <= kMostNumbers, "its percepts are larger than any");
-  sane(action_size <= kMostNumbers, "its actions are larger than any");
+  Eigen::Matrix2d drift;
+  for (double& value : drift.reshaped()) value = in.value<double>();
+  sane(drift.allFinite() && drift.determinant() > 0.0 && drift.trace() > 0.0, "the actions' drift");
   std::vector<double> percepts = in.sequence<double>();
   std::vector<double> actions = in.sequence<double>();
   sane(in.rest().empty(), "something follows the exemplars");
-  return {
-      .scenario = std::move(scenario),
-      .fingerprint = std::move(fingerprint),
-      .hierarchy = Hierarchy(
-          Exemplars(percept_size, action_size, std::move(percepts), std::move(actions)), config)};
+  return {.config = config,
+          .image_size = size,
+          .scenario = std::move(scenario),
+          .fingerprint = std::move(fingerprint),
+          .drift = drift,
+          .hierarchy =
+              Hierarchy(Exemplars(kPerceptSize, kActionSize, std::move(percepts), std::move(actions)),
+                        config.hierarchy)};
 }
 
 /// What follows the version.
@@ -75,7 +78,7 @@ Model read_sealed(ByteReader& in) {
 std::string to_bytes(const Model& model) {
   const std::string rest = body(model);
   ByteWriter out;
-  for (const char letter : kMagic) out.value(letter);
+  for (const char letter : Model::kMagic) out.value(letter);
   out.value(Model::kVersion);
   out.text(rest);
   out.value(fnv1a(rest));
@@ -84,8 +87,8 @@ std::string to_bytes(const Model& model) {
 
 Model from_bytes(std::string_view bytes, std::string_view source) {
   const std::string file(source);
-  if (!bytes.starts_with(kMagic)) throw std::runtime_error(file + ": not an exemplar model");
-  ByteReader in(bytes.substr(kMagic.size()));
+  if (!bytes.starts_with(Model::kMagic)) throw std::runtime_error(file + ": not an exemplar model");
+  ByteReader in(bytes.substr(Model::kMagic.size()));
   std::uint32_t version = 0;
   try {
     version = in.value<std::uint32_t>();

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "core/frame.h"
+#include "learning/exemplar/config.h"
 #include "learning/exemplar/hierarchy.h"
 
 namespace pacer::exemplar {
@@ -13,10 +16,14 @@ namespace pacer::exemplar {
 /// What exemplar learning keeps: the exemplars, and the hierarchy over them. Constant once made;
 /// policies on any number of threads share one.
 struct Model {
+  ExemplarConfig config;
+  ImageSize image_size;     ///< of the demonstration; frames of another size are refused
   std::string scenario;     ///< that the demonstration was recorded in, as text
-  std::string fingerprint;  ///< of the demonstration
-  Hierarchy hierarchy;
+  std::string fingerprint;  ///< of the demonstration, and of those that it grew by
+  Eigen::Matrix2d drift;    ///< action_drift() of the demonstration
+  Hierarchy hierarchy;      ///< by `config.hierarchy`
 
+  static constexpr std::string_view kMagic = "PACEREXE";
   /// The number in the file that a change of its format or meaning raises.
   static constexpr std::uint32_t kVersion = 1;
 };

@@ -171,6 +171,7 @@ BalloonFinder::BalloonFinder(const PerceptConfig& config)
 const Balloons& BalloonFinder::find(const Frame& frame) {
   blobs_ = finder_.find(frame);
   rows_ = rows_above_snow(frame, config_.balloons.interference);
+  whole_ = rows_ == frame.size.height;
   level_ = mean_level(frame);
   const std::size_t pixels = finder_.labels().size();
   owners_.assign(pixels, kFree);

@@ -104,6 +104,9 @@ class BalloonFinder {
   /// looked at. Lives until the next call.
   [[nodiscard]] const Balloons& find(const Frame& frame);
 
+  /// Whether all of the last frame was looked at: there was no interference.
+  [[nodiscard]] bool whole() const noexcept { return whole_; }
+
   /// All blobs of the last frame, named or not, in no order that lasts from frame to frame.
   [[nodiscard]] std::span<const Blob> blobs() const noexcept { return blobs_; }
   /// Of each pixel of the last frame, the index of its blob, or BlobFinder::kNone.
@@ -129,6 +132,7 @@ class BalloonFinder {
   ColourTable table_;
   std::span<const Blob> blobs_;
   double level_ = 0.0;                // mean of the picture
+  bool whole_ = true;
   int rows_ = 0;                      // that are looked at
   std::vector<std::int32_t> owners_;  // of each pixel: its region, or what kFree and kGrowing say
   std::vector<std::int32_t> front_;   // pixels whose neighbours are still to be asked

@@ -36,7 +36,7 @@ Responder::Responder(const Hierarchy& hierarchy, const Eigen::Matrix2d& drift,
       consistent_(config.choose == "consistent"),
       random_(random.fork("response")) {
   config.validate();
-  require(hierarchy.exemplars().action_size() == 2, "the hierarchy's actions are not turn and drive");
+  require(hierarchy.exemplars().action_size() == kActionSize, "the hierarchy's actions are not turn and drive");
 }
 
 Action Responder::respond(const Found& found) {
@@ -61,7 +61,7 @@ Action Responder::consistent(const Found& found) {
   weights_.clear();
   for (const Candidate& candidate : found.candidates) {
     const auto distance = static_cast<double>(candidate.distance);
-    const Action action = hierarchy_.action_mean(candidate.node);
+    const Action action(hierarchy_.action_mean(candidate.node).data());
     double cost = (distance * distance - least) / unit;
     if (before_) {
       const Action change = action - *before_;

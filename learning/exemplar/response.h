@@ -27,8 +27,9 @@ struct ResponseConfig {
   }
 };
 
-/// An action, turn and drive.
+/// An action, turn and drive: an impulse's steering and throttle.
 using Action = Eigen::Vector2d;
+inline constexpr std::size_t kActionSize = 2;
 
 /// How actions change from one impulse to the next: the mean square of the change, and a floor for
 /// what never changed. `episodes` are the demonstrated actions, one sequence an episode.

@@ -75,7 +75,7 @@ DemonstratedExemplars exemplars_of(const Demonstration& demonstration, const Per
         "the dataset has no impulse (drive, then stand) to learn from; collect it with a scenario "
         "such as scenarios/balloon.yaml");
   }
-  return {.exemplars = Exemplars(kPerceptSize, 2, std::move(percepts), std::move(actions)),
+  return {.exemplars = Exemplars(kPerceptSize, kActionSize, std::move(percepts), std::move(actions)),
           .first = std::move(first),
           .report = report};
 }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "learning/exemplar/config.h"
+#include "learning/exemplar/hierarchy_config.h"
 
 namespace pacer::exemplar {
 namespace {
@@ -55,8 +55,8 @@ TEST(Exemplars, RefuseOneThatDoesNotFitAndStayAsTheyAre) {
   EXPECT_EQ(exemplars.size(), 1U);
 }
 
-TEST(ExemplarConfig, NamesTheFieldThatMakesNoSense) {
-  ExemplarConfig config;
+TEST(HierarchyConfig, NamesTheFieldThatMakesNoSense) {
+  HierarchyConfig config;
   config.validate();
   config.tau = -1.0;
   try {

@@ -15,11 +15,16 @@ namespace {
 
 Model random_model(std::size_t exemplars) {
   ExemplarConfig config;
-  config.tau = 12.5;
-  return {.scenario = "seed: 1",
+  config.hierarchy.tau = 12.5;
+  config.response.choose = "sample";
+  return {.config = config,
+          .image_size = {.width = 320, .height = 240},
+          .scenario = "seed: 1",
           .fingerprint = "0123",
-          .hierarchy = Hierarchy(
-              pacer::testing::random_exemplars(exemplars, 4, 2, Random(exemplars)), config)};
+          .drift = Eigen::Matrix2d{{0.2, 0.01}, {0.01, 0.1}},
+          .hierarchy = Hierarchy(pacer::testing::random_exemplars(exemplars, kPerceptSize,
+                                                                  kActionSize, Random(exemplars)),
+                                 config.hierarchy)};
 }
 
 std::string failure(std::string_view bytes) {
@@ -54,6 +59,9 @@ TEST(ModelFile, KeepsEverythingAndTheSameHierarchy) {
   const Model model = random_model(80);
   const Model read = from_bytes(to_bytes(model), "the.model");
   EXPECT_EQ(read.hierarchy.config(), model.hierarchy.config());
+  EXPECT_EQ(read.config.response.choose, "sample");
+  EXPECT_EQ(read.image_size, model.image_size);
+  EXPECT_EQ(read.drift, model.drift);
   EXPECT_EQ(read.scenario, model.scenario);
   EXPECT_EQ(read.fingerprint, model.fingerprint);
   ASSERT_EQ(read.hierarchy.tree().nodes().size(), model.hierarchy.tree().nodes().size());

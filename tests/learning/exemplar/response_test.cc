@@ -68,7 +68,7 @@ TEST(Responder, SamplesTheNearestNodesActions) {
     mean += turn / kDraws;
     square += turn * turn / kDraws;
   }
-  EXPECT_NEAR(mean, hierarchy.action_mean(0).x(), 0.05);
+  EXPECT_NEAR(mean, hierarchy.action_mean(0)[0], 0.05);
   EXPECT_NEAR(square, 0.64, 0.05);
 }
 
