@@ -23,7 +23,7 @@ using exemplar::Exemplars;
 using exemplar::Found;
 
 constexpr std::array<std::uint32_t, 6> kSizes = {304, 1'000, 10'000, 100'000, 300'000, 1'000'000};
-constexpr int kQueries = 400;  // not among the exemplars
+constexpr std::uint32_t kQueries = 400;  // not among the exemplars
 
 /// What is measured at one size.
 struct Scale {

@@ -30,7 +30,8 @@ TwelveGaussians draw_set(Random random) {
     for (std::size_t colour = 0; colour < kColours; ++colour) {
       for (std::size_t n = 0; n < kEach; ++n) {
         const double x = static_cast<double>(position % 3) + random.normal(0.0, kSpread);
-        const double y = static_cast<double>(position / 3) + random.normal(0.0, kSpread);
+        const std::size_t row = position / 3;
+        const double y = static_cast<double>(row) + random.normal(0.0, kSpread);
         // Colours lie as far apart as the places' ends: what looks alike is of one colour.
         const double shade = 2.0 * static_cast<double>(colour) + random.normal(0.0, kSpread);
         for (const double value : {x, y, shade}) set.percepts.push_back(static_cast<float>(value));
@@ -56,7 +57,8 @@ std::vector<std::size_t> clustered(const std::vector<float>& samples, int dimens
     for (std::size_t c = 0; c < static_cast<std::size_t>(result.clusters); ++c) {
       double sum = 0.0;
       for (std::size_t i = 0; i < size; ++i) {
-        sum += std::pow(samples[n * size + i] - result.centres[c * size + i], 2);
+        const auto off = static_cast<double>(samples[n * size + i] - result.centres[c * size + i]);
+        sum += off * off;
       }
       if (c == 0 || sum < least) {
         least = sum;
@@ -79,7 +81,7 @@ double spread_within(const std::vector<float>& values, std::size_t width, std::s
     double sum = 0.0;
     for (std::size_t n = 0; n < labels.size(); ++n) {
       if (labels[n] < from || labels[n] >= to) continue;
-      const double value = values[n * width + column];
+      const auto value = static_cast<double>(values[n * width + column]);
       count += 1.0;
       const double off = value - mean;
       mean += off / count;
@@ -102,8 +104,8 @@ report::Chart scatter(const std::vector<float>& values, std::size_t width, std::
     clouds.push_back({.name = names.back(), .x = {}, .y = {}});
   }
   for (std::size_t n = 0; n < labels.size(); ++n) {
-    clouds[labels[n]].x.push_back(values[n * width + x]);
-    clouds[labels[n]].y.push_back(values[n * width + y]);
+    clouds[labels[n]].x.push_back(static_cast<double>(values[n * width + x]));
+    clouds[labels[n]].y.push_back(static_cast<double>(values[n * width + y]));
   }
   return {
       report::scatter_chart(clouds, {.title = axes[0]}, {.title = axes[1]}, report::Palette(names)),

@@ -17,6 +17,15 @@ std::uint64_t hash_of(std::span<const double> percept) noexcept {
   return hash;
 }
 
+/// Those of `entries`, which ascend by `key`, that have this one.
+template <class Key>
+std::span<const PerceptTable::Entry> between(std::span<const PerceptTable::Entry> entries,
+                                             Key value, Key PerceptTable::Entry::*key) noexcept {
+  const auto low = std::ranges::lower_bound(entries, value, {}, key);
+  const auto high = std::ranges::upper_bound(entries, value, {}, key);
+  return {low, high};
+}
+
 }  // namespace
 
 PerceptTable::PerceptTable(const Exemplars& exemplars, const ActionTree& tree) {
@@ -32,8 +41,7 @@ PerceptTable::PerceptTable(const Exemplars& exemplars, const ActionTree& tree) {
 
 std::span<const PerceptTable::Entry> PerceptTable::candidates(
     std::span<const double> percept) const noexcept {
-  const auto found = std::ranges::equal_range(entries_, hash_of(percept), {}, &Entry::hash);
-  return {found.begin(), found.end()};
+  return between(entries_, hash_of(percept), &Entry::hash);
 }
 
 void PerceptTable::add(const Exemplars& exemplars, const ActionTree& tree, NodeId leaf) {
@@ -53,8 +61,7 @@ void PerceptTable::add(const Exemplars& exemplars, const ActionTree& tree, NodeI
 
 bool holds(std::span<const PerceptTable::Entry> candidates, NodeId leaf,
            std::span<const double> percept, const Exemplars& exemplars) noexcept {
-  for (const auto& entry :
-       std::ranges::equal_range(candidates, leaf, {}, &PerceptTable::Entry::leaf)) {
+  for (const auto& entry : between(candidates, leaf, &PerceptTable::Entry::leaf)) {
     if (std::ranges::equal(exemplars.percept(entry.exemplar), percept)) return true;
   }
   return false;
