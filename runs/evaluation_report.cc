@@ -99,8 +99,7 @@ std::string rule(const Scenario& scenario) {
         "Reached: the camera within {:.2f} m of the red balloon over the floor, before the car "
         "touches anything, stands still for {:.0f} s, takes more than {} impulses or drives for "
         "{:.0f} s. An episode that is decided ends at once. Response times are of the pictures "
-        "that "
-        "a policy was asked about. Intervals are 95 %.",
+        "that a policy was asked about. Intervals are 95 %.",
         scenario.reaching.distance, scenario.reaching.standstill.count(),
         scenario.reaching.most_impulses, scenario.simulated.duration.count());
   }

@@ -8,7 +8,7 @@ namespace pacer {
 /// When an episode counts as reached, and when it has failed.
 struct ReachingConfig {
   double distance = 0.5;    ///< metres over the floor, camera to the red balloon's middle
-  int most_impulses = 50;   ///< the car may take no more
+  int most_impulses = 60;   ///< the car may take no more
   Seconds standstill{8.0};  ///< a car that has not moved for so long is stuck
 
   /// Throws std::invalid_argument, naming the field.
