@@ -42,6 +42,7 @@ void Moments::add_run(int y, int first, int last, const std::uint8_t* rgb) noexc
   rgb_[0] += red;
   rgb_[1] += green;
   rgb_[2] += blue;
+  light_y_ += std::int64_t{y} * (red + green + blue);
 }
 
 void Moments::add_rectangle(const PixelRectangle& pixels) noexcept {
@@ -62,7 +63,19 @@ void Moments::add(const Moments& other) noexcept {
   xx_ += other.xx_;
   xy_ += other.xy_;
   yy_ += other.yy_;
+  light_y_ += other.light_y_;
   for (std::size_t c = 0; c < 3; ++c) rgb_[c] += other.rgb_[c];
+}
+
+double Moments::shading() const noexcept {
+  if (count_ == 0 || top_ == bottom_) return 0.0;
+  const auto n = static_cast<double>(count_), y = static_cast<double>(y_);
+  const auto light = static_cast<double>(rgb_[0] + rgb_[1] + rgb_[2]);
+  if (light == 0.0) return 0.0;
+  const double spread = static_cast<double>(yy_) / n - (y / n) * (y / n);
+  const double together = static_cast<double>(light_y_) / n - (light / n) * (y / n);
+  // The slope over the height of an ellipse, four deviations.
+  return -together / std::sqrt(spread) * 4.0 / (light / n);
 }
 
 Blob Moments::blob(ImageSize size) const noexcept {

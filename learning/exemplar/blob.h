@@ -54,6 +54,9 @@ class Moments {
   [[nodiscard]] int right() const noexcept { return right_; }  ///< the last column
   [[nodiscard]] int top() const noexcept { return top_; }
   [[nodiscard]] int bottom() const noexcept { return bottom_; }  ///< the last row
+  /// How much darker it gets from its top to its bottom, in shares of its mean lightness: above 0
+  /// for what is round and lit from above, about 0 for what is flat. 0 for a single row.
+  [[nodiscard]] double shading() const noexcept;
   /// Of a picture of `size`. There is at least one pixel.
   [[nodiscard]] Blob blob(ImageSize size) const noexcept;
 
@@ -62,6 +65,7 @@ class Moments {
 
   std::int64_t count_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0, yy_ = 0;
   std::array<std::int64_t, 3> rgb_{};
+  std::int64_t light_y_ = 0;  // of red + green + blue
   int left_ = 0, right_ = -1, top_ = 0, bottom_ = -1;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "core/check.h"
 
@@ -75,10 +76,11 @@ void BlobFinder::resize(ImageSize size) {
 }
 
 std::span<const Blob> BlobFinder::find(const Frame& frame) {
-  require(frame.size.width >= 0 && frame.size.height >= 0 &&
-              frame.rgb.size() == 3 * static_cast<std::size_t>(frame.size.width) *
-                                      static_cast<std::size_t>(frame.size.height),
-          "a frame's bytes do not fit its size");
+  if (frame.size.width < 0 || frame.size.height < 0 ||
+      frame.rgb.size() != 3 * static_cast<std::size_t>(frame.size.width) *
+                              static_cast<std::size_t>(frame.size.height)) {
+    throw std::invalid_argument("a frame's bytes do not fit its size");
+  }
   blobs_.clear();
   moments_.clear();
   if (frame.rgb.empty()) {

@@ -36,10 +36,10 @@ struct NamedColour {
 /// The table's entries: the rubber of the balloons.
 struct ColourTableConfig {
   NamedColour red_balloon{
-      .red = 0.86, .green = 0.07, .blue = 0.08, .tolerance = 0.03, .hue = 0.012, .dimmest = 0.6};
+      .red = 0.86, .green = 0.07, .blue = 0.08, .tolerance = 0.035, .hue = 0.012, .dimmest = 0.7};
   NamedColour green_balloon{
-      .red = 0.10, .green = 0.62, .blue = 0.16, .tolerance = 0.028, .hue = 0.023, .dimmest = 0.42};
-  double mixed = 0.1;  ///< the same tolerance for what may also hold pixels of something else
+      .red = 0.10, .green = 0.62, .blue = 0.16, .tolerance = 0.03, .hue = 0.023, .dimmest = 0.42};
+  double mixed = 0.2;  ///< the same tolerance for what may also hold pixels of something else
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;

@@ -101,13 +101,13 @@ void BalloonConfig::validate() const {
   require(noise >= 0.0 && noise <= 50.0, "noise: must lie in [0, 50]");
   require(reach >= 1.0, "reach: must be at least 1");
   require(least_area >= 1.0, "least_area_px: must be at least 1");
+  require(least_fill >= 0.0 && least_fill <= 1.0, "least_fill: must lie in [0, 1]");
+  require(joint_fill >= 0.0 && joint_fill <= 1.0, "joint_fill: must lie in [0, 1]");
+  require(longest >= 1.0, "longest: must be at least 1");
+  require(shading >= -2.0 && shading <= 2.0, "shading: must lie in [-2, 2]");
   require(small_area >= 0.0, "small_area_px: must not be negative");
-  require(round >= 1.0 && round <= longest, "round, longest: 1 <= round <= longest");
-  for (const auto& [field, share] : {std::pair{"least_fill", least_fill},
-                                     {"whole_fill", whole_fill},
-                                     {"joint_fill", joint_fill}}) {
-    require(share >= 0.0 && share <= 1.0, std::string(field) + ": must lie in [0, 1]");
-  }
+  require(small_shading >= -2.0 && small_shading <= 2.0, "small_shading: must lie in [-2, 2]");
+  require(near_area >= 0.0, "near_area_px: must not be negative");
   require(lowest >= 0.0 && lowest <= 1.0, "lowest: must lie in [0, 1]");
   require(gap >= 0.0 && gap < 1.0, "gap: must lie in [0, 1)");
   require(interference > 0.0, "interference: must be positive");
@@ -183,8 +183,9 @@ const Balloons& BalloonFinder::find(const Frame& frame) {
     const Name name = table_.nearest(blobs_[i].colour);
     if (name != Name::kNone) grow(frame, i, name);
   }
-  balloons_.red = choose(Name::kRed, frame.size);
-  balloons_.green = choose(Name::kGreen, frame.size);
+  balloons_.red = choose(Name::kRed, frame.size, {});
+  balloons_.green = choose(Name::kGreen, frame.size, balloons_.red);
+  if (!balloons_.red) balloons_.red = choose(Name::kRed, frame.size, balloons_.green);
   return balloons_;
 }
 
@@ -255,13 +256,12 @@ void BalloonFinder::grow(const Frame& frame, std::size_t seed, Name name) {
   region.named = region.sums.area() > 0 && table_.name(region.blob.colour) == name &&
                  region.blob.centroid.y() <= config_.balloons.lowest * frame.size.height &&
                  region.blob.colour.maxCoeff() >= table_.dimmest(name) * level_;
-  region.taken = !region.named;
   if (touched < 0 || !region.named) return;
   Region& earlier = regions_[static_cast<std::size_t>(touched)];
   if (!earlier.named) return;
   region.sums.add(earlier.sums);
   region.blob = region.sums.blob(frame.size);
-  earlier.taken = true;
+  earlier.named = false;  // its pixels are this one's
 }
 
 /// Whether a string, a table's leg or the other balloon may have cut one balloon into these two.
@@ -275,35 +275,50 @@ bool BalloonFinder::one_balloon(const Region& a, const Region& b, ImageSize size
   const double down = (whole.box.height - one.height - other.height) / whole.box.height;
   const double gap = std::max({across, down, 0.0});
   if (gap > config_.balloons.gap) return false;
-  // One cut makes two edges of about the same length.
+  // What is cut in two by one edge has two plain parts, with edges of about the same length.
+  constexpr double kPlain = 0.7;
+  if (std::min(fill(a.blob), fill(b.blob)) < kPlain) return false;
   const double edge = across > down ? one.height / other.height : one.width / other.width;
   constexpr double kAlike = 0.4;
   if (std::min(edge, 1.0 / edge) < kAlike) return false;
-  constexpr double kSeen = 0.35;  // of it all, at least
+  constexpr double kSeen = 0.28;  // of it all, at least
   const auto both_area = static_cast<double>(both.area());
   both.add_rectangle(between(one, other, across > down));
   return both_area >= kSeen * static_cast<double>(both.area()) &&
          fill(both.blob(size)) >= config_.balloons.joint_fill;
 }
 
-bool BalloonFinder::shaped(const Blob& blob, bool in_parts) const noexcept {
+bool BalloonFinder::shaped(const Region& region, bool in_parts) const noexcept {
+  constexpr double kRound = 0.96;  // fill of what has no corners
   const BalloonConfig& config = config_.balloons;
+  const Blob& blob = region.blob;
   if (blob.area < config.least_area) return false;
-  if (in_parts) return true;  // together they have the shape
-  const double filled = fill(blob);
-  const double longer = std::max(blob.box.width, blob.box.height);
-  const double length = longer / std::min(blob.box.width, blob.box.height);
   const bool cut = blob.cut.left || blob.cut.top || blob.cut.right || blob.cut.bottom;
-  const bool small = blob.area < config.small_area;
-  if (cut) return filled >= (small ? config.whole_fill : config.least_fill);
-  if (small) return filled >= config.whole_fill && length <= config.round;
-  return length <= config.longest &&
-         filled >= (length <= config.round ? config.least_fill : config.whole_fill);
+  // Half of it seen, from near and below, a balloon is lit evenly.
+  const bool near = blob.area >= config.near_area && (cut || fill(blob) >= kRound);
+  const double shading = blob.area < config.small_area ? config.small_shading : config.shading;
+  if (!near && region.sums.shading() < shading) return false;
+  if (in_parts) return true;  // together they have the shape
+  const double length =
+      std::max(blob.box.width, blob.box.height) / std::min(blob.box.width, blob.box.height);
+  return fill(blob) >= config.least_fill && (cut || length <= config.longest);
+}
+
+/// Whether `blob` is a crescent at the rim of the other balloon, which hides the rest of it.
+bool BalloonFinder::peeps_out(const Region& region, const Blob& other) const noexcept {
+  const Blob& blob = region.blob;
+  constexpr double kRim = 1.35;  // ellipses of the other, that its middle lies within
+  return blob.area >= config_.balloons.least_area && blob.area < other.area &&
+         region.sums.shading() >= 0.0 &&
+         Reach(other, kRim)(static_cast<int>(blob.centroid.x()),
+                            static_cast<int>(blob.centroid.y()));
 }
 
 /// The largest that has the shape, with the parts that belong to it.
-std::optional<Blob> BalloonFinder::choose(Name name, ImageSize size) {
+std::optional<Blob> BalloonFinder::choose(Name name, ImageSize size,
+                                          const std::optional<Blob>& other) {
   std::optional<Blob> best;
+  for (Region& region : regions_) region.taken = !region.named;
   for (;;) {
     Region* largest = nullptr;
     for (Region& region : regions_) {
@@ -323,7 +338,9 @@ std::optional<Blob> BalloonFinder::choose(Name name, ImageSize size) {
       break;  // one thing hides it
     }
     const bool in_parts = whole.sums.area() > largest->sums.area();
-    if (shaped(whole.blob, in_parts) && (!best || whole.blob.area > best->area)) best = whole.blob;
+    const bool behind = other && peeps_out(whole, *other);
+    if ((behind || shaped(whole, in_parts)) && (!best || whole.blob.area > best->area))
+      best = whole.blob;
   }
 }
 

@@ -17,19 +17,20 @@ namespace pacer::exemplar {
 
 /// What tells a balloon from another thing of its colour.
 struct BalloonConfig {
-  double spread = 0.05;        ///< the farthest that a pixel's shares may be from its blob's
-  double noise = 6.0;          ///< grey levels, beyond that, for the noise of dark pixels
-  double reach = 1.4;          ///< of such pixels, in ellipses of the blob
-  double least_area = 25;      ///< pixels
-  double small_area = 80;      ///< pixels; smaller, a balloon is whole and round
-  double round = 1.6;          ///< the longest that a small one is, to its width, or its width
-  double longest = 5.0;        ///< the longest that a larger one is, partly hidden
-  double least_fill = 0.6;     ///< of the ellipse with its second moments
-  double whole_fill = 0.86;    ///< the same of what is small, or not round
-  double joint_fill = 0.75;    ///< of two parts, with what may be hidden between them
-  double lowest = 0.5;         ///< share of the picture's height that its middle is not below
-  double gap = 0.65;           ///< share of a balloon that may be hidden between two parts of it
-  double interference = 45.0;  ///< mean difference of neighbours in a row of snow, grey levels
+  double spread = 0.05;         ///< the farthest that a pixel's shares may be from its blob's
+  double noise = 6.0;           ///< grey levels, beyond that, for the noise of dark pixels
+  double reach = 1.4;           ///< of such pixels, in ellipses of the blob
+  double least_area = 25;       ///< pixels
+  double least_fill = 0.6;      ///< of the ellipse with its second moments
+  double joint_fill = 0.75;     ///< of two parts, with what may be hidden between them
+  double longest = 7.0;         ///< length over width, partly hidden
+  double shading = 0.2;         ///< least Moments::shading: what is flat is no balloon
+  double small_area = 100;      ///< pixels; what is smaller may seem shaded, and is to have
+  double small_shading = 0.35;  ///< at least this much of it
+  double near_area = 1500;      ///< pixels; larger and round, or cut by the edge, it may look flat
+  double lowest = 0.5;          ///< share of the picture's height that its middle is not below
+  double gap = 0.65;            ///< share of a balloon that may be hidden between two parts of it
+  double interference = 45.0;   ///< mean difference of neighbours in a row of snow, grey levels
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
@@ -40,12 +41,13 @@ struct BalloonConfig {
     visit("noise", noise);
     visit("reach", reach);
     visit("least_area_px", least_area);
-    visit("small_area_px", small_area);
-    visit("round", round);
-    visit("longest", longest);
     visit("least_fill", least_fill);
-    visit("whole_fill", whole_fill);
     visit("joint_fill", joint_fill);
+    visit("longest", longest);
+    visit("shading", shading);
+    visit("small_area_px", small_area);
+    visit("small_shading", small_shading);
+    visit("near_area_px", near_area);
     visit("lowest", lowest);
     visit("gap", gap);
     visit("interference", interference);
@@ -123,9 +125,11 @@ class BalloonFinder {
   };
 
   void grow(const Frame& frame, std::size_t seed, Name name);
-  [[nodiscard]] std::optional<Blob> choose(Name name, ImageSize size);
+  [[nodiscard]] std::optional<Blob> choose(Name name, ImageSize size,
+                                           const std::optional<Blob>& other);
+  [[nodiscard]] bool peeps_out(const Region& region, const Blob& other) const noexcept;
   [[nodiscard]] bool one_balloon(const Region& a, const Region& b, ImageSize size) const;
-  [[nodiscard]] bool shaped(const Blob& blob, bool in_parts) const noexcept;
+  [[nodiscard]] bool shaped(const Region& region, bool in_parts) const noexcept;
 
   PerceptConfig config_;
   BlobFinder finder_;
