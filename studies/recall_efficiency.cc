@@ -7,6 +7,7 @@
 #include "learning/exemplar/search.h"
 #include "runs/report/charts.h"
 #include "studies/chapter5.h"
+#include "studies/materials.h"
 #include "studies/studies.h"
 
 namespace pacer {

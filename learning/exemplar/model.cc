@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/exemplar/model.h"
 
+#include <Eigen/LU>
 #include <cerrno>
 #include <fstream>
 #include <iterator>

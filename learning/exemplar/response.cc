@@ -40,15 +40,21 @@ Responder::Responder(const Hierarchy& hierarchy, const Eigen::Matrix2d& drift,
 }
 
 Action Responder::respond(const Found& found) {
-  // An exact match is an exact action; where nothing matches there is one hypothesis: anything.
-  const bool plain = !consistent_ || found.exact || !found.matched;
-  const Action action = plain ? sample(found.best.node) : consistent(found);
+  // Where not even the root matches there is one hypothesis: anything that was ever done.
+  const Action action = consistent_ && found.matched ? consistent(found) : sample(found);
   before_ = action;
   return action;
 }
 
-Action Responder::sample(NodeId node) {
-  std::array<double, 2> action{};
+Action Responder::sample(const Found& found) {
+  // A percept that was demonstrated with several actions matches each of them exactly.
+  nearest_.clear();
+  for (const Candidate& candidate : found.candidates) {
+    if (candidate.distance == found.best.distance) nearest_.push_back(candidate.node);
+  }
+  const NodeId node =
+      nearest_.size() > 1 ? nearest_[random_.below(nearest_.size())] : found.best.node;
+  std::array<double, kActionSize> action{};
   hierarchy_.respond(node, random_, action);
   return {action[0], action[1]};
 }

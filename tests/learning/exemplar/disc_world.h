@@ -38,12 +38,13 @@ inline void paint(const DiscStep& step, std::uint64_t index, Frame& frame) {
     for (int x = 0; x < kDiscImage.width; ++x) {
       double rgb[3] = {150.0, 146.0, 140.0};
       for (const auto& [disc, red, green, blue] :
-           {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 200.0, 16.0, 19.0}}) {
+           {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 180.0, 15.0, 17.0}}) {
         if (!*disc) continue;
         const double outside = std::hypot(x - (*disc)->x, y - (*disc)->y) - (*disc)->radius;
         const double share = std::min(1.0, std::max(0.0, 0.5 - outside));
+        const double shade = 1.0 - 0.35 * (y - (*disc)->y) / (*disc)->radius;  // lit from above
         const double colour[3] = {red, green, blue};
-        for (int i = 0; i < 3; ++i) rgb[i] += share * (colour[i] - rgb[i]);
+        for (int i = 0; i < 3; ++i) rgb[i] += share * (shade * colour[i] - rgb[i]);
       }
       for (const double value : rgb) frame.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
     }
