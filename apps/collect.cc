@@ -19,8 +19,8 @@ struct CollectCommand {
     RunControl control = common.control(stop);
     TerminalProgress progress;
     control.progress = progress.callback();
-    const CollectReport report =
-        collect(common.load(scenario), Purpose::kCollect, episodes, out, control);
+    const Scenario loaded = common.load(scenario);
+    const CollectReport report = collect(loaded, Purpose::kCollect, episodes, out, control);
     progress.finish();
     fmt::print("{}: {} episodes ({} new), {} frames recorded in {:.1f} s\n", out.string(),
                report.episodes, report.episodes - report.resumed_from, report.frames,
@@ -34,7 +34,9 @@ struct CollectCommand {
       fmt::print(stderr, "interrupted: the same command goes on from here\n");
       throw Unfinished{};
     }
-    fmt::print("next: pacer train affordance {} --out {}.model\n", out.string(), out.string());
+    fmt::print("next: pacer train {} {} --out {}.model\n",
+               loaded.what_for() == Goal::kReach ? "exemplar" : "affordance", out.string(),
+               out.string());
   }
 };
 

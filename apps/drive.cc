@@ -24,14 +24,9 @@ struct DriveCommand {
     progress.finish();
     nlohmann::ordered_json json = {{"frames", report.frames}};
     if (report.score && report.whole) {
-      const EpisodeScore& score = *report.score;
-      fmt::print("{}: {}{}{}{}\n", sources.front().name(),
-                 score.followed ? "followed" : "not followed", score.collided ? ", collided" : "",
-                 score.lost ? ", lost the lead" : "",
-                 score.out_of_range ? ", too near or too far" : "");
-      fmt::print("{:.1f} s driven, lead in view {:.1f} %, mean distance {:.2f} m\n", score.driven_s,
-                 100.0 * score.in_view, score.distance_m);
-      json["score"] = to_json(score);
+      fmt::print("{}: {}\n{}\n", sources.front().name(), verdict(*report.score),
+                 summary(*report.score));
+      json["score"] = to_json(*report.score);
     } else {
       fmt::print("{}: {} frames\n", sources.front().name(), report.frames);
     }

@@ -4,15 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "apps/command.h"
 #include "core/check.h"
 #include "core/output_file.h"
 #include "dataset/contact_sheet.h"
-#include "learning/affordance/model.h"
+#include "runs/hierarchy_picture.h"
+#include "runs/model_file.h"
+#include "runs/report/canvas.h"
 
 namespace pacer {
 namespace {
@@ -91,13 +97,7 @@ struct InspectCommand {
           {{"where", finding.where}, {"what", finding.what}, {"harms", finding.harms}});
     }
     if (!sheet.empty()) {
-      std::vector<std::uint8_t> png;
-      if (!cv::imencode(".png", dataset::contact_sheet(dataset::Dataset(what)), png)) {
-        throw std::runtime_error(sheet.string() + ": OpenCV cannot draw it");
-      }
-      OutputFile file(sheet);
-      file.write({reinterpret_cast<const char*>(png.data()), png.size()});
-      file.keep();
+      write_sheet(dataset::contact_sheet(dataset::Dataset(what)));
       fmt::print("{}: the contact sheet\n", sheet.string());
     }
     common.write_json({{"episodes", summary.episodes},
@@ -118,8 +118,55 @@ struct InspectCommand {
     fmt::print("whole{}\n", summary.episodes == 0 ? ", and empty: `pacer collect` fills it" : "");
   }
 
+  /// `bgr`, as PNG.
+  void write_sheet(const cv::Mat& bgr) const {
+    std::vector<std::uint8_t> png;
+    if (!cv::imencode(".png", bgr, png)) {
+      throw std::runtime_error(sheet.string() + ": OpenCV cannot draw it");
+    }
+    OutputFile file(sheet);
+    file.write({reinterpret_cast<const char*>(png.data()), png.size()});
+    file.keep();
+  }
+
   void inspect_model() const {
-    const affordance::Model model = affordance::load(what);
+    std::visit([this](const auto& model) { inspect(*model); }, load_model(what));
+  }
+
+  void inspect(const exemplar::Model& model) const {
+    const exemplar::Hierarchy& hierarchy = model.hierarchy;
+    std::size_t inner = 0;
+    for (exemplar::NodeId node = 0; node < hierarchy.tree().nodes().size(); ++node) {
+      inner += hierarchy.has_model(node) ? 1 : 0;
+    }
+    fmt::print("{}: exemplar model, format {}, {} exemplars, for {} x {}\n", what.string(),
+               exemplar::Model::kVersion, hierarchy.exemplars().size(), model.image_size.width,
+               model.image_size.height);
+    fmt::print("learnt from {}\n", model.fingerprint);
+    fmt::print("{} nodes, {} of them with models, {} deep; tau {}\n",
+               hierarchy.tree().nodes().size(), inner, hierarchy.tree().depth(),
+               hierarchy.config().tau);
+    const exemplar::Gaussian actions = hierarchy.action_model(0);
+    for (const auto& [name, i] : {std::pair("turn", 0), {"drive", 1}}) {
+      fmt::print("{:<6} {:+.2f}, standard deviation {:.2f}\n", name, actions.mean[i],
+                 std::sqrt(actions.covariance(i, i)));
+    }
+    if (!sheet.empty()) {
+      const Frame drawn = draw_hierarchy(model);
+      cv::Mat bgr;
+      cv::cvtColor(report::canvas::view(drawn), bgr, cv::COLOR_RGB2BGR);
+      write_sheet(bgr);
+      fmt::print("{}: the hierarchy, drawn\n", sheet.string());
+    }
+    common.write_json({{"fingerprint", model.fingerprint},
+                       {"exemplars", hierarchy.exemplars().size()},
+                       {"nodes", hierarchy.tree().nodes().size()},
+                       {"models", inner},
+                       {"depth", hierarchy.tree().depth()},
+                       {"tau", hierarchy.config().tau}});
+  }
+
+  void inspect(const affordance::Model& model) const {
     fmt::print("{}: affordance model, format {}, {} rules, for {} x {} at {} Hz\n", what.string(),
                affordance::Model::kVersion, model.rules.size(), model.image_size.width,
                model.image_size.height, model.frame_rate_hz);
@@ -152,7 +199,9 @@ void add_inspect(CLI::App& app, const std::stop_token&) {
       app.add_subcommand("inspect", "What is in a dataset, model or scenario, and is it whole");
   command->add_option("WHAT", options->what, "A dataset's folder, a model or a scenario file")
       ->required();
-  command->add_option("--sheet", options->sheet, "Draw a dataset's contact sheet (PNG)")
+  command
+      ->add_option("--sheet", options->sheet,
+                   "Draw a dataset's contact sheet, or an exemplar model's hierarchy (PNG)")
       ->check(writable_file());
   command->add_flag("--repair", options->mend,
                     "Keep a dataset's episodes before the first that is damaged, and move the rest "

@@ -14,7 +14,7 @@ namespace {
 struct StudyCommand {
   CommonOptions common;
   std::string name;
-  std::filesystem::path scenario = "scenarios/follow.yaml";
+  std::filesystem::path scenario;  ///< empty: each study's own
   std::filesystem::path out;
   std::filesystem::path cache = "out/cache";
   std::filesystem::path transactions;
@@ -23,13 +23,7 @@ struct StudyCommand {
 
   void run(const std::stop_token& stop) const {
     const Study* const study = name == "all" ? nullptr : &find_study(name);
-    std::error_code error;
-    if (!std::filesystem::exists(scenario, error)) {
-      throw UsageError(scenario.string() +
-                       ": there is no such file; go to where it is, or name one with --scenario");
-    }
     StudyContext context;
-    context.scenario = common.load(scenario);
     context.control = common.control(stop);
     TerminalProgress progress;
     context.control.progress = progress.callback();
@@ -39,15 +33,30 @@ struct StudyCommand {
     if (!sequences.empty()) context.sequences = sequences;
     context.out = out;
     if (study == nullptr) {
-      const nlohmann::ordered_json all = run_all_studies(context);
+      const nlohmann::ordered_json all =
+          run_all_studies(context, [this](const Study& each) { return scenario_of(each); });
       progress.finish();
       common.write_json(all);
       return;
     }
+    context.scenario = scenario_of(*study);
     const nlohmann::ordered_json result = run_study(*study, context);
     progress.finish();
     fmt::print("{}\n{}", study->about, to_text(result));
     common.write_json(result);
+  }
+
+ private:
+  [[nodiscard]] Scenario scenario_of(const Study& study) const {
+    const std::filesystem::path file =
+        scenario.empty() ? std::filesystem::path("scenarios") / (study.scenario + ".yaml")
+                         : scenario;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+      throw UsageError(file.string() +
+                       ": there is no such file; go to where it is, or name one with --scenario");
+    }
+    return common.load(file);
   }
 };
 
@@ -60,8 +69,9 @@ void add_study(CLI::App& app, const std::stop_token& stop) {
   for (const Study& study : studies())
     names += fmt::format("\n  {:<16}{}", study.name, study.about);
   command->add_option("NAME", options->name, "A study, or all")->required();
-  command->add_option("--scenario", options->scenario, "The scenario it is measured on")
-      ->capture_default_str();
+  command->add_option("--scenario", options->scenario,
+                      "The scenario it is measured on (default: scenarios/balloon.yaml for chapter "
+                      "5's, else scenarios/follow.yaml)");
   command->add_option("--out", options->out, "Folder for its page");
   command->add_option("--cache", options->cache, "Folder of recordings and models kept for reuse")
       ->capture_default_str();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -12,10 +13,12 @@
 #include "core/drive.h"
 #include "dataset/recorder.h"
 #include "dataset/writer.h"
+#include "runs/pace.h"
+#include "runs/policy_source.h"
+#include "runs/score.h"
 #include "runs/shared_counter.h"
 #include "runs/worker_pool.h"
 #include "sim/sim_car.h"
-#include "sim/teacher.h"
 
 namespace pacer {
 namespace {
@@ -25,7 +28,7 @@ dataset::DatasetSpec spec_of(const Scenario& scenario) {
   spec.image_size = scenario.simulated.camera.size();
   spec.rate_hz = static_cast<int>(scenario.simulated.camera.frame_rate_hz);
   spec.task = scenario.task;
-  spec.signals = sim::privileged_columns();
+  spec.signals = sim::privileged_columns(sim::subject_of(scenario.simulated.world));
   spec.scenario = to_yaml(scenario);
   return spec;
 }
@@ -43,11 +46,20 @@ std::string record_episode(const Scenario& scenario, Purpose purpose,
                            std::uint32_t episode, SharedCounter& counter) {
   const Random random = scenario.episode_random(purpose, episode);
   sim::SimCar car(scenario.simulated_for(purpose), random.fork("car"));
-  sim::Teacher teacher(scenario.teacher, car.lead_sight(), random.fork("policy").fork("teacher"));
+  const std::unique_ptr<Policy> teacher =
+      make_teacher(scenario, car, random.fork("policy").fork("teacher"));
+  Pace pace(scenario, *teacher);
   dataset::EpisodeRecorder recorder(folder, spec, episode, scenario.video);
   StepCounter steps(counter);
-  Sinks sinks({&recorder, &steps});
-  const std::uint64_t frames = drive(car, teacher, scenario.limits, scenario.channels, sinks);
+  std::vector<StepSink*> sinks = {&recorder, &steps};
+  // A drive to somewhere is over when it is there; one that follows is as long as it is.
+  std::unique_ptr<Scorer> scorer;
+  if (scenario.what_for() == Goal::kReach) {
+    scorer = make_scorer(scenario, car.signal_columns());
+    sinks.push_back(scorer.get());
+  }
+  Sinks all(sinks);
+  const std::uint64_t frames = drive(car, pace.driver(), scenario.limits, scenario.channels, all);
   recorder.finish();
   return nlohmann::json{{"frames", frames}, {"peak_mb", peak_mb()}}.dump();
 }
@@ -75,9 +87,8 @@ CollectReport collect(const Scenario& scenario, Purpose purpose, std::uint64_t e
   const auto frames_each = static_cast<std::uint64_t>(scenario.simulated.duration.count() *
                                                       scenario.simulated.camera.frame_rate_hz);
   SharedCounter counter;
-  const auto tick = [&] {
-    control.progress(counter.value(), frames_each * missing.size(), "frames recorded");
-  };
+  std::uint64_t expected = frames_each * missing.size();
+  const auto tick = [&] { control.progress(counter.value(), expected, "frames recorded"); };
   tick();
   run_in_workers(
       control.jobs, missing,
@@ -86,7 +97,9 @@ CollectReport collect(const Scenario& scenario, Purpose purpose, std::uint64_t e
       },
       [&](std::uint32_t, const std::string& result) {
         const nlohmann::json value = nlohmann::json::parse(result);
-        report.frames += value["frames"].get<std::uint64_t>();
+        const auto frames = value["frames"].get<std::uint64_t>();
+        report.frames += frames;
+        expected -= frames_each - std::min(frames, frames_each);  // one that ended early
         report.worker_peak_mb = std::max(report.worker_peak_mb, value["peak_mb"].get<double>());
         writer.commit_finished();
       },

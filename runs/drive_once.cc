@@ -8,6 +8,7 @@
 #include "core/drive.h"
 #include "dataset/replay_car.h"
 #include "runs/film.h"
+#include "runs/pace.h"
 #include "sim/sim_car.h"
 
 namespace pacer {
@@ -43,11 +44,6 @@ class Unhurried final : public StepSink {
   StepSink& sink_;
 };
 
-bool is_scored(std::span<const SignalColumn> columns) {
-  return std::ranges::any_of(
-      columns, [](const SignalColumn& column) { return column.name == "privileged.lead_visible"; });
-}
-
 }  // namespace
 
 DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
@@ -75,15 +71,16 @@ DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
     car = std::move(made);
   }
   const std::unique_ptr<Policy> policy = source.make(scenario, simulated, random.fork("policy"));
+  Pace pace(scenario, *policy);
 
   DriveProgress progress(control, expected);
   std::vector<StepSink*> sinks = {&progress};
-  std::optional<FollowingScore> score;
+  std::unique_ptr<Scorer> scorer;
   std::optional<Unhurried> unhurried;
-  if (!recorded && is_scored(car->signal_columns())) {
-    score.emplace(scenario.following, car->signal_columns());
-    unhurried.emplace(*score);
-    sinks.push_back(options.until_the_end ? static_cast<StepSink*>(&*unhurried) : &*score);
+  if (simulated != nullptr) {
+    scorer = make_scorer(scenario, car->signal_columns());
+    unhurried.emplace(*scorer);
+    sinks.push_back(options.until_the_end ? static_cast<StepSink*>(&*unhurried) : scorer.get());
   }
   std::optional<Film> film;
   if (!options.video.empty()) {
@@ -92,10 +89,10 @@ DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
   }
   Sinks all(sinks);
   DriveReport report;
-  report.frames = drive(*car, *policy, scenario.limits, scenario.channels, all, control.stop);
+  report.frames = drive(*car, pace.driver(), scenario.limits, scenario.channels, all, control.stop);
   report.whole = !control.stop.stop_requested();
   if (film) film->close();
-  if (score) report.score = score->score();
+  if (scorer) report.score = scorer->score();
   return report;
 }
 

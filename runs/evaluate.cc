@@ -11,6 +11,7 @@
 #include "core/check.h"
 #include "core/drive.h"
 #include "runs/film.h"
+#include "runs/pace.h"
 #include "runs/report/picture.h"
 #include "runs/shared_counter.h"
 #include "runs/timed_policy.h"
@@ -77,9 +78,10 @@ std::string drive_episode(const Scenario& scenario, const std::vector<PolicySour
   sim::SimCar car(config, random.fork("car"));
   const std::unique_ptr<Policy> policy = source.make(scenario, &car, random.fork("policy"));
   TimedPolicy timed(*policy);
-  FollowingScore score(scenario.following, car.signal_columns());
+  Pace pace(scenario, timed);
+  const std::unique_ptr<Scorer> scorer = make_scorer(scenario, car.signal_columns());
   StepCounter steps(counter);
-  std::vector<StepSink*> sinks = {&score, &steps};
+  std::vector<StepSink*> sinks = {scorer.get(), &steps};
 
   const TemporaryFile file(".mp4");
   std::optional<Film> film;
@@ -89,15 +91,17 @@ std::string drive_episode(const Scenario& scenario, const std::vector<PolicySour
     sinks.push_back(&*film);
   }
   std::optional<Shadow> shadow;
-  if (source.name() == "teacher" && episode < options.traces) {
+  // Figure 6.15 is of models that answer every frame.
+  if (source.name() == "teacher" && episode < options.traces &&
+      scenario.what_for() == Goal::kFollow) {
     shadow.emplace(sources, scenario, random.fork("shadow"));
     sinks.push_back(&*shadow);
   }
 
   Sinks all(sinks);
-  drive(car, timed, scenario.limits, scenario.channels, all);
+  drive(car, pace.driver(), scenario.limits, scenario.channels, all);
 
-  json result = {{"score", to_json(score.score())}, {"response_ms", timed.milliseconds()}};
+  json result = {{"score", to_json(scorer->score())}, {"response_ms", timed.milliseconds()}};
   if (film) {
     film->close();
     const std::vector<std::uint8_t> still = report::encode_jpeg(film->still());
@@ -120,13 +124,13 @@ std::string drive_episode(const Scenario& scenario, const std::vector<PolicySour
 void take(const std::string& packed, const PolicySource& source, std::uint32_t episode,
           PolicyEvaluation& policy, EvaluationRun& run) {
   const json result = json::from_cbor(packed.begin(), packed.end());
-  policy.episodes.push_back(score_from_json(result["score"]));
+  policy.episodes.push_back(score_from_json(run.evaluation.goal, result["score"]));
   const auto times = result["response_ms"].get<std::vector<float>>();
   policy.response_ms.insert(policy.response_ms.end(), times.begin(), times.end());
   if (result.contains("mp4")) {
     run.clips.push_back({.policy = source.name(),
                          .episode = episode,
-                         .followed = policy.episodes.back().followed,
+                         .verdict = verdict(policy.episodes.back()),
                          .mp4 = bytes(result["mp4"]),
                          .jpg = bytes(result["jpg"])});
   }
@@ -148,6 +152,7 @@ EvaluationRun evaluate(const Scenario& scenario, const std::vector<PolicySource>
     throw UsageError("car: policies are scored in simulation only; set car=simulated");
   }
   EvaluationRun run;
+  run.evaluation.goal = scenario.what_for();
   for (const PolicySource& source : policies) {
     source.check_rate(scenario.simulated.camera.frame_rate_hz);
     run.evaluation.policies.push_back({.name = source.name(), .episodes = {}, .response_ms = {}});

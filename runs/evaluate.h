@@ -18,9 +18,9 @@ namespace pacer {
 struct Clip {
   std::string policy;
   std::uint32_t episode = 0;
-  bool followed = false;
-  std::string mp4;  ///< the whole file
-  std::string jpg;  ///< a picture from it, to show before it plays
+  std::string verdict;  ///< how the episode ended
+  std::string mp4;      ///< the whole file
+  std::string jpg;      ///< a picture from it, to show before it plays
 };
 
 struct EvaluateOptions {

@@ -11,9 +11,12 @@ namespace {
 
 using report::Estimate;
 
-std::vector<double> each(const PolicyEvaluation& policy, double EpisodeScore::*field) {
+/// Of every episode, the measure that is `index`-th in the list.
+std::vector<double> each(const PolicyEvaluation& policy, std::size_t index) {
   std::vector<double> values;
-  for (const EpisodeScore& episode : policy.episodes) values.push_back(episode.*field);
+  for (const EpisodeScore& episode : policy.episodes) {
+    values.push_back(values_of(episode).at(index));
+  }
   return values;
 }
 
@@ -26,15 +29,12 @@ Estimate mean(const std::vector<double>& values,
   return estimate;
 }
 
-Estimate share(const PolicyEvaluation& policy, bool EpisodeScore::*field) {
-  const auto count = std::ranges::count_if(policy.episodes, field);
-  return report::fraction(static_cast<std::size_t>(count), policy.episodes.size());
-}
-
-std::vector<double> losses(const PolicyEvaluation& policy) {
-  std::vector<double> values;
-  for (const EpisodeScore& episode : policy.episodes) values.push_back(episode.losses);
-  return values;
+/// A flag is a share of the episodes; of anything else there is a mean.
+Estimate over_episodes(const PolicyEvaluation& policy, const Measure& measure, std::size_t index) {
+  const std::vector<double> values = each(policy, index);
+  if (!measure.is_flag) return mean(values, measure.most);
+  const auto count = std::ranges::count_if(values, [](double value) { return value > 0.0; });
+  return report::fraction(static_cast<std::size_t>(count), values.size());
 }
 
 /// The value that a share `rank` of `values` lies below; NaN of none.
@@ -51,59 +51,53 @@ nlohmann::ordered_json to_json(const Estimate& estimate) {
 
 }  // namespace
 
-Estimate PolicyEvaluation::followed() const { return share(*this, &EpisodeScore::followed); }
+Estimate PolicyEvaluation::succeeded() const {
+  const auto count = std::ranges::count_if(episodes, pacer::succeeded);
+  return report::fraction(static_cast<std::size_t>(count), episodes.size());
+}
 
 report::Table score_table(const Evaluation& evaluation) {
-  using report::Better;
+  const std::vector<Measure> measures = measures_of(evaluation.goal);
   report::Table table;
-  table.columns = {
-      {.heading = "policy"},
-      {.heading = "followed", .unit = "%", .decimals = 0, .scale = 100, .better = Better::kHigher},
-      {.heading = "in view", .unit = "%", .decimals = 1, .scale = 100, .better = Better::kHigher},
-      {.heading = "distance", .unit = "m", .decimals = 2},
-      {.heading = "bearing error",
-       .unit = "deg",
-       .decimals = 1,
-       .scale = 57.29578,
-       .better = Better::kLower},
-      {.heading = "collided", .unit = "%", .decimals = 0, .scale = 100, .better = Better::kLower},
-      {.heading = "losses", .unit = "an episode", .decimals = 1, .better = Better::kLower},
-      {.heading = "steering jerk",
-       .unit = "stick/s\u00b2",
-       .decimals = 1,
-       .better = Better::kLower},
-      {.heading = "response p50", .unit = "ms", .decimals = 2},
-      {.heading = "p99", .unit = "ms", .decimals = 2}};
+  table.columns = {{.heading = "policy"}};
+  for (const Measure& measure : measures) {
+    if (measure.heading == nullptr) continue;
+    table.columns.push_back({.heading = measure.heading,
+                             .unit = measure.unit,
+                             .decimals = measure.decimals,
+                             .scale = measure.scale,
+                             .better = measure.better});
+  }
+  table.columns.push_back({.heading = "response p50", .unit = "ms", .decimals = 2});
+  table.columns.push_back({.heading = "p99", .unit = "ms", .decimals = 2});
   for (const PolicyEvaluation& policy : evaluation.policies) {
-    table.rows.push_back(
-        {.cells = {policy.name, policy.followed(), mean(each(policy, &EpisodeScore::in_view), 1.0),
-                   mean(each(policy, &EpisodeScore::distance_m)),
-                   mean(each(policy, &EpisodeScore::bearing_rad)),
-                   share(policy, &EpisodeScore::collided), mean(losses(policy)),
-                   mean(each(policy, &EpisodeScore::steering_jerk)),
-                   quantile(policy.response_ms, 0.5), quantile(policy.response_ms, 0.99)},
-         .competes = policy.name != "teacher"});
+    report::Row row{.cells = {policy.name}, .competes = policy.name != "teacher"};
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      if (measures[i].heading == nullptr) continue;
+      row.cells.emplace_back(over_episodes(policy, measures[i], i));
+    }
+    row.cells.emplace_back(quantile(policy.response_ms, 0.5));
+    row.cells.emplace_back(quantile(policy.response_ms, 0.99));
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
 
 nlohmann::ordered_json to_json(const Evaluation& evaluation) {
+  const std::vector<Measure> measures = measures_of(evaluation.goal);
   nlohmann::ordered_json policies = nlohmann::ordered_json::object();
   for (const PolicyEvaluation& policy : evaluation.policies) {
-    nlohmann::ordered_json episodes = nlohmann::ordered_json::array();
-    for (const EpisodeScore& episode : policy.episodes)
-      episodes.push_back(nlohmann::ordered_json(to_json(episode)));
-    policies[policy.name] = {
-        {"followed", to_json(policy.followed())},
-        {"in_view", to_json(mean(each(policy, &EpisodeScore::in_view), 1.0))},
-        {"distance_m", to_json(mean(each(policy, &EpisodeScore::distance_m)))},
-        {"bearing_rad", to_json(mean(each(policy, &EpisodeScore::bearing_rad)))},
-        {"collided", to_json(share(policy, &EpisodeScore::collided))},
-        {"losses", to_json(mean(losses(policy)))},
-        {"steering_jerk", to_json(mean(each(policy, &EpisodeScore::steering_jerk)))},
-        {"response_ms",
-         {{"p50", quantile(policy.response_ms, 0.5)}, {"p99", quantile(policy.response_ms, 0.99)}}},
-        {"episodes", std::move(episodes)}};
+    nlohmann::ordered_json& entry = policies[policy.name];
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      if (measures[i].heading == nullptr) continue;
+      entry[measures[i].key] = to_json(over_episodes(policy, measures[i], i));
+    }
+    entry["response_ms"] = {{"p50", quantile(policy.response_ms, 0.5)},
+                            {"p99", quantile(policy.response_ms, 0.99)}};
+    entry["episodes"] = nlohmann::ordered_json::array();
+    for (const EpisodeScore& episode : policy.episodes) {
+      entry["episodes"].push_back(nlohmann::ordered_json(to_json(episode)));
+    }
   }
   return {{"policies", std::move(policies)}};
 }

@@ -17,11 +17,12 @@ struct PolicyEvaluation {
   std::vector<EpisodeScore> episodes;  ///< by episode index, the same seeds for every policy
   std::vector<float> response_ms;      ///< time from frame to command, every frame
 
-  [[nodiscard]] report::Estimate followed() const;  ///< fraction of the episodes
+  [[nodiscard]] report::Estimate succeeded() const;  ///< fraction of the episodes
 };
 
 /// Several policies, side by side on the same seeds.
 struct Evaluation {
+  Goal goal = Goal::kFollow;  ///< of every episode
   std::vector<PolicyEvaluation> policies;
 };
 

@@ -21,15 +21,16 @@ std::span<const std::uint8_t> as_bytes(const std::string& file) {
   return {reinterpret_cast<const std::uint8_t*>(file.data()), file.size()};
 }
 
-/// What is read first: who followed how often.
+/// What is read first: who succeeded how often.
 void add_tiles(Content& content, const EvaluationRun& run) {
   std::vector<report::Tile> tiles;
+  const std::string word = measures_of(run.evaluation.goal).front().heading;
   for (const PolicyEvaluation& policy : run.evaluation.policies) {
-    const report::Estimate followed = policy.followed();
-    tiles.push_back({.label = policy.name + " followed",
-                     .value = fmt::format("{:.0f} %", 100.0 * followed.value),
-                     .detail = fmt::format("{:.0f} to {:.0f}, {} episodes", 100.0 * followed.low,
-                                           100.0 * followed.high, followed.count)});
+    const report::Estimate share = policy.succeeded();
+    tiles.push_back({.label = policy.name + " " + word,
+                     .value = fmt::format("{:.0f} %", 100.0 * share.value),
+                     .detail = fmt::format("{:.0f} to {:.0f}, {} episodes", 100.0 * share.low,
+                                           100.0 * share.high, share.count)});
   }
   content.tiles(tiles);
 }
@@ -73,26 +74,42 @@ void add_clusters(Content& content, const affordance::Model& model, const Signal
 }
 
 void add_distributions(Content& content, const EvaluationRun& run, const Palette& palette) {
-  const auto chart = [&](const char* title, const char* unit, double EpisodeScore::*field,
-                         double scale) {
+  const std::vector<Measure> measures = measures_of(run.evaluation.goal);
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i].chart == nullptr) continue;
     std::vector<report::Sample> samples;
     for (const PolicyEvaluation& policy : run.evaluation.policies) {
       report::Sample sample{.name = policy.name, .values = {}};
       for (const EpisodeScore& episode : policy.episodes) {
-        sample.values.push_back(scale * episode.*field);
+        sample.values.push_back(measures[i].scale * values_of(episode)[i]);
       }
       samples.push_back(std::move(sample));
     }
-    return report::Chart{
-        .spec = report::distribution_chart(samples, {.title = title, .unit = unit}, palette),
-        .caption = {}};
-  };
-  constexpr double kDegrees = 57.29578;
-  content.chart(chart("driven before it failed, or whole", "s", &EpisodeScore::driven_s, 1.0));
-  content.chart(chart("mean distance to the lead", "m", &EpisodeScore::distance_m, 1.0));
-  content.chart(
-      chart("mean bearing of the lead, either side", "deg", &EpisodeScore::bearing_rad, kDegrees));
-  content.chart(chart("lead in view", "% of frames", &EpisodeScore::in_view, 100.0));
+    content.chart(
+        {.spec = report::distribution_chart(
+             samples, {.title = measures[i].chart, .unit = measures[i].chart_unit}, palette),
+         .caption = {}});
+  }
+}
+
+/// When an episode counts.
+std::string rule(const Scenario& scenario) {
+  if (scenario.what_for() == Goal::kReach) {
+    return fmt::format(
+        "Reached: the camera within {:.2f} m of the red balloon over the floor, before the car "
+        "touches anything, stands still for {:.0f} s, takes more than {} impulses or drives for "
+        "{:.0f} s. An episode that is decided ends at once. Response times are of the pictures "
+        "that a policy was asked about. Intervals are 95 %.",
+        scenario.reaching.distance, scenario.reaching.standstill.count(),
+        scenario.reaching.most_impulses, scenario.simulated.duration.count());
+  }
+  return fmt::format(
+      "Followed: {:.0f} s without a collision, the lead never out of view for more than "
+      "{:.0f} s, and between {:.1f} and {:.1f} m away for {:.0f} % of the time. An episode "
+      "that has failed ends at once. Intervals are 95 %.",
+      scenario.following.duration.count(), scenario.following.longest_loss.count(),
+      scenario.following.nearest, scenario.following.farthest,
+      100.0 * scenario.following.share_in_range);
 }
 
 void add_pictures(Content& content, const EvaluationRun& run) {
@@ -108,10 +125,10 @@ void add_pictures(Content& content, const EvaluationRun& run) {
 void add_clips(Content& content, const EvaluationRun& run) {
   std::vector<report::Video> videos;
   for (const Clip& clip : run.clips) {
-    videos.push_back({.bytes = as_bytes(clip.mp4),
-                      .caption = fmt::format("{}, episode {}: {}", clip.policy, clip.episode,
-                                             clip.followed ? "followed" : "not followed"),
-                      .poster = as_bytes(clip.jpg)});
+    videos.push_back(
+        {.bytes = as_bytes(clip.mp4),
+         .caption = fmt::format("{}, episode {}: {}", clip.policy, clip.episode, clip.verdict),
+         .poster = as_bytes(clip.jpg)});
   }
   content.videos(videos);
 }
@@ -124,22 +141,16 @@ report::Page evaluation_page(const Scenario& scenario, const std::vector<PolicyS
   const affordance::Model* model = nullptr;
   for (const PolicySource& source : policies) {
     names.push_back(source.name());
-    if (model == nullptr) model = source.model().get();
+    if (model == nullptr) model = source.affordances().get();
   }
   const Palette palette(names);
 
-  report::Page page(scenario.name, fmt::format("{} Unseen rooms, unseen routes: pacer {}, seed {}.",
-                                               scenario.task, kVersion, scenario.seed));
+  report::Page page(scenario.name,
+                    fmt::format("{} Unseen rooms, unseen {}: pacer {}, seed {}.", scenario.task,
+                                scenario.what_for() == Goal::kReach ? "places" : "routes", kVersion,
+                                scenario.seed));
   add_tiles(page.lead(), run);
-  page.section("Scores")
-      .table(score_table(run.evaluation))
-      .paragraph(fmt::format(
-          "Followed: {:.0f} s without a collision, the lead never out of view for more than "
-          "{:.0f} s, and between {:.1f} and {:.1f} m away for {:.0f} % of the time. An episode "
-          "that has failed ends at once. Intervals are 95 %.",
-          scenario.following.duration.count(), scenario.following.longest_loss.count(),
-          scenario.following.nearest, scenario.following.farthest,
-          100.0 * scenario.following.share_in_range));
+  page.section("Scores").table(score_table(run.evaluation)).paragraph(rule(scenario));
   if (!run.clips.empty()) add_clips(page.section("Videos"), run);
   if (model != nullptr && !run.traces.empty()) {
     Content& signals = page.section("Action signals");

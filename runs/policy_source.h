@@ -3,15 +3,21 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/policy.h"
 #include "core/random.h"
 #include "learning/affordance/model.h"
+#include "learning/exemplar/model.h"
 #include "scenarios/scenario.h"
 #include "sim/sim_car.h"
 
 namespace pacer {
+
+/// The scripted teacher of what the scenario is for, at the wheel of `car`, which must outlive it.
+[[nodiscard]] std::unique_ptr<Policy> make_teacher(const Scenario& scenario, const sim::SimCar& car,
+                                                   const Random& random);
 
 /// Something that `--policy` names: a model file, `teacher`, `neutral` or `mean`. Its model is
 /// loaded once, and shared by the policies made from it.
@@ -32,18 +38,16 @@ class PolicySource {
   /// does not carry over.
   void check_rate(double rate_hz) const;
 
-  /// Null unless it is a model.
-  [[nodiscard]] const std::shared_ptr<const affordance::Model>& model() const noexcept {
-    return model_;
-  }
+  /// Null unless it is a model of affordances (chapter 6).
+  [[nodiscard]] std::shared_ptr<const affordance::Model> affordances() const noexcept;
 
  private:
-  enum class Kind : std::uint8_t { kTeacher, kConstant, kAffordance };
+  struct Teacher {};
 
   std::string name_;
-  Kind kind_ = Kind::kConstant;
-  Command constant_;
-  std::shared_ptr<const affordance::Model> model_;
+  std::variant<Command, Teacher, std::shared_ptr<const affordance::Model>,
+               std::shared_ptr<const exemplar::Model>>
+      what_;  // a command: that one, always
 };
 
 }  // namespace pacer

@@ -1,101 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs/score.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 namespace pacer {
+namespace {
+
+EpisodeScore empty(Goal goal) {
+  return goal == Goal::kReach ? EpisodeScore(ReachingResult{}) : EpisodeScore(FollowingResult{});
+}
+
+/// Calls `visit(measure, value)` for each of the score's measures.
+template <class Visitor>
+void for_each_measure(EpisodeScore& score, Visitor&& visit) {
+  std::visit([&visit](auto& result) { result.fields(visit); }, score);
+}
+
+}  // namespace
+
+std::unique_ptr<Scorer> make_scorer(const Scenario& scenario,
+                                    std::span<const SignalColumn> columns) {
+  if (scenario.what_for() == Goal::kReach) {
+    return std::make_unique<ReachingScore>(scenario.reaching, columns);
+  }
+  return std::make_unique<FollowingScore>(scenario.following, columns);
+}
+
+std::vector<Measure> measures_of(Goal goal) {
+  std::vector<Measure> measures;
+  EpisodeScore score = empty(goal);
+  for_each_measure(score,
+                   [&](const Measure& measure, const auto&) { measures.push_back(measure); });
+  return measures;
+}
+
+std::vector<double> values_of(const EpisodeScore& score) {
+  std::vector<double> values;
+  EpisodeScore copy = score;
+  for_each_measure(copy, [&](const Measure&, const auto& value) {
+    values.push_back(static_cast<double>(value));
+  });
+  return values;
+}
+
+bool succeeded(const EpisodeScore& score) { return values_of(score).front() > 0.0; }
+
+std::string verdict(const EpisodeScore& score) {
+  return std::visit([](const auto& result) { return result.verdict(); }, score);
+}
+
+std::string summary(const EpisodeScore& score) {
+  return std::visit([](const auto& result) { return result.summary(); }, score);
+}
 
 nlohmann::json to_json(const EpisodeScore& score) {
-  return {{"followed", score.followed},
-          {"collided", score.collided},
-          {"losses", score.losses},
-          {"lost", score.lost},
-          {"out_of_range", score.out_of_range},
-          {"driven_s", score.driven_s},
-          {"in_view", score.in_view},
-          {"in_range", score.in_range},
-          {"distance_m", score.distance_m},
-          {"bearing_rad", score.bearing_rad},
-          {"steering_jerk", score.steering_jerk}};
+  nlohmann::json json = nlohmann::json::object();
+  EpisodeScore copy = score;
+  for_each_measure(copy,
+                   [&](const Measure& measure, const auto& value) { json[measure.key] = value; });
+  return json;
 }
 
-EpisodeScore score_from_json(const nlohmann::json& value) {
-  return {.followed = value.at("followed"),
-          .collided = value.at("collided"),
-          .losses = value.at("losses"),
-          .lost = value.at("lost"),
-          .out_of_range = value.at("out_of_range"),
-          .driven_s = value.at("driven_s"),
-          .in_view = value.at("in_view"),
-          .in_range = value.at("in_range"),
-          .distance_m = value.at("distance_m"),
-          .bearing_rad = value.at("bearing_rad"),
-          .steering_jerk = value.at("steering_jerk")};
-}
-
-FollowingScore::FollowingScore(const FollowingConfig& config, std::span<const SignalColumn> columns)
-    : config_(config),
-      visible_(offset_of(columns, "privileged.lead_visible")),
-      distance_(offset_of(columns, "privileged.lead_distance")),
-      bearing_(offset_of(columns, "privileged.lead_bearing")),
-      collision_(offset_of(columns, "privileged.collision")) {}
-
-bool FollowingScore::write(const Frame& frame, const Step& step) {
-  if (frames_ == 0) first_ = last_ = last_seen_ = frame.time;
-  const double dt = (frame.time - last_).count();
-  if (frames_ >= 2 && dt > 0.0) {
-    const double jerk = (step.sent.steering - 2.0 * steering_[1] + steering_[0]) / (dt * dt);
-    jerk_squares_ += jerk * jerk;
-    ++jerks_;
-  }
-  if (dt > 0.0) frames_expected_ = std::round(config_.duration.count() / dt);
-  steering_[0] = steering_[1];
-  steering_[1] = step.sent.steering;
-  last_ = frame.time;
-  ++frames_;
-
-  const double distance = static_cast<double>(step.signals[distance_]);
-  distance_sum_ += distance;
-  if (distance >= config_.nearest && distance <= config_.farthest) ++frames_in_range_;
-  const bool seen = step.signals[visible_] > 0.0F;
-  if (seen) {
-    last_seen_ = frame.time;
-    missed_ = false;
-    ++frames_seen_;
-    bearing_sum_ += std::abs(static_cast<double>(step.signals[bearing_]));
-  }
-  // Times of frames are rounded: none of them shall decide.
-  constexpr Seconds kRounding{1e-6};
-  // Interference hides the lead for a few frames at a time: that is no loss.
-  constexpr Seconds kFlicker{0.2};
-  if (frames_seen_ > 0 && !missed_ && frame.time - last_seen_ > kFlicker + kRounding) {
-    missed_ = true;
-    ++result_.losses;
-  }
-
-  result_.collided = result_.collided || step.signals[collision_] > 0.0F;
-  result_.lost = result_.lost || last_ - last_seen_ > config_.longest_loss + kRounding;
-  const double out_of_range = static_cast<double>(frames_ - frames_in_range_);
-  // The tolerance keeps 0.1 of 1500 frames at 150.
-  const double allowed = std::floor((1.0 - config_.share_in_range) * frames_expected_ + 1e-6);
-  result_.out_of_range = frames_expected_ > 0.0 && out_of_range > allowed;
-  return !result_.collided && !result_.lost && !result_.out_of_range;
-}
-
-EpisodeScore FollowingScore::score() const {
-  EpisodeScore score = result_;
-  if (frames_ == 0) return score;
-  const double count = static_cast<double>(frames_);
-  const double period = frames_ > 1 ? (last_ - first_).count() / (count - 1.0) : 0.0;
-  score.driven_s = (last_ - first_).count() + period;
-  score.in_view = static_cast<double>(frames_seen_) / count;
-  score.in_range = static_cast<double>(frames_in_range_) / count;
-  score.distance_m = distance_sum_ / count;
-  score.bearing_rad = frames_seen_ > 0 ? bearing_sum_ / static_cast<double>(frames_seen_) : 0.0;
-  score.steering_jerk = jerks_ > 0 ? std::sqrt(jerk_squares_ / static_cast<double>(jerks_)) : 0.0;
-  const bool whole = score.driven_s >= config_.duration.count() - period;
-  score.followed = whole && !score.collided && !score.lost && !score.out_of_range;
+EpisodeScore score_from_json(Goal goal, const nlohmann::json& value) {
+  EpisodeScore score = empty(goal);
+  for_each_measure(score, [&](const Measure& measure, auto& field) {
+    field = value.at(measure.key).get<std::remove_reference_t<decltype(field)>>();
+  });
   return score;
 }
 

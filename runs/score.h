@@ -1,58 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
+#include <string>
+#include <vector>
 
-#include "core/drive.h"
 #include "core/signals.h"
-#include "core/units.h"
-#include "scenarios/following.h"
+#include "runs/following_score.h"
+#include "runs/reaching_score.h"
+#include "scenarios/scenario.h"
 
 namespace pacer {
 
-/// How one episode went. Plain values; shares are of the frames driven.
-struct EpisodeScore {
-  bool followed = false;
-  bool collided = false;
-  int losses = 0;     ///< times it was out of view for more than 0.2 s, once it had been seen
-  bool lost = false;  ///< out of view for longer than allowed
-  bool out_of_range = false;   ///< too near or too far for too long
-  double driven_s = 0.0;       ///< less than the whole where it failed
-  double in_view = 0.0;        ///< share of frames with some of the lead visible
-  double in_range = 0.0;       ///< share of frames with the distance in range
-  double distance_m = 0.0;     ///< mean
-  double bearing_rad = 0.0;    ///< mean magnitude, where the lead is in view
-  double steering_jerk = 0.0;  ///< root mean square of the command's second derivative, stick/s^2
-};
+/// A scorer of what the scenario is for. Throws std::runtime_error where `columns`, which are the
+/// car's, have not what it needs.
+[[nodiscard]] std::unique_ptr<Scorer> make_scorer(const Scenario& scenario,
+                                                  std::span<const SignalColumn> columns);
 
+/// What is measured of an episode that is driven for `goal`; the first is whether it succeeded.
+[[nodiscard]] std::vector<Measure> measures_of(Goal goal);
+/// The values in that order; flags are 0 and 1.
+[[nodiscard]] std::vector<double> values_of(const EpisodeScore& score);
+
+[[nodiscard]] bool succeeded(const EpisodeScore& score);
+[[nodiscard]] std::string verdict(const EpisodeScore& score);  ///< e.g. "not reached, collided"
+[[nodiscard]] std::string summary(const EpisodeScore& score);  ///< in figures, one line
+
+/// Each measure under its key.
 [[nodiscard]] nlohmann::json to_json(const EpisodeScore& score);
-[[nodiscard]] EpisodeScore score_from_json(const nlohmann::json& value);
-
-/// Scores an episode of a simulated (or replayed) car from its privileged signals, and asks for
-/// the end as soon as it can no longer be followed.
-class FollowingScore final : public StepSink {
- public:
-  /// `columns` are the car's; they must hold privileged.lead_visible, .lead_distance,
-  /// .lead_bearing and .collision, or std::runtime_error is thrown.
-  FollowingScore(const FollowingConfig& config, std::span<const SignalColumn> columns);
-
-  [[nodiscard]] bool write(const Frame& frame, const Step& step) override;
-
-  /// The episode so far. Followed only when its whole duration was driven.
-  [[nodiscard]] EpisodeScore score() const;
-
- private:
-  FollowingConfig config_;
-  std::size_t visible_, distance_, bearing_, collision_;  // offsets into the signals
-  Seconds first_{}, last_{}, last_seen_{};
-  std::size_t frames_ = 0, frames_seen_ = 0, frames_in_range_ = 0, jerks_ = 0;
-  double distance_sum_ = 0.0, bearing_sum_ = 0.0, jerk_squares_ = 0.0;
-  double steering_[2] = {0.0, 0.0};  // the last two commands, the older first
-  double frames_expected_ = 0.0;     // in the whole episode, from the rate seen so far
-  EpisodeScore result_;
-  bool missed_ = false;  // the present absence is counted
-};
+[[nodiscard]] EpisodeScore score_from_json(Goal goal, const nlohmann::json& value);
 
 }  // namespace pacer

@@ -6,10 +6,10 @@ namespace pacer {
 Shadow::Shadow(std::span<const PolicySource> sources, const Scenario& scenario,
                const Random& random) {
   for (const PolicySource& source : sources) {
-    if (!source.model()) continue;
+    if (!source.affordances()) continue;
     models_.push_back(source.make(scenario, nullptr, random));
     trace_.models.push_back({.name = source.name(), .wanted = {}});
-    if (!gallery_) gallery_ = std::make_unique<MatchGallery>(source.model());
+    if (!gallery_) gallery_ = std::make_unique<MatchGallery>(source.affordances());
   }
 }
 

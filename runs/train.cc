@@ -22,6 +22,18 @@ void require_whole(const std::filesystem::path& folder) {
   }
 }
 
+TrainingOptions options_of(const Scenario& scenario, const RunControl& control) {
+  TrainingOptions options;
+  options.jobs = control.jobs;
+  options.scenario = to_yaml(scenario);
+  options.stop = control.stop;
+  options.progress = [&control](std::string_view stage, double share) {
+    constexpr double kWhole = 100.0;
+    control.progress(static_cast<std::uint64_t>(share * kWhole), 100, stage);
+  };
+  return options;
+}
+
 }  // namespace
 
 affordance::TrainingReport train_affordance(const Scenario& scenario,
@@ -29,18 +41,25 @@ affordance::TrainingReport train_affordance(const Scenario& scenario,
                                             const std::filesystem::path& file,
                                             const RunControl& control) {
   require_whole(folder);
-  const dataset::RecordedDemonstration demonstration(folder);
-  affordance::TrainingOptions options;
-  options.jobs = control.jobs;
-  options.scenario = to_yaml(scenario);
-  options.stop = control.stop;
-  options.progress = [&](std::string_view stage, double share) {
-    constexpr double kWhole = 100.0;
-    control.progress(static_cast<std::uint64_t>(share * kWhole), 100, stage);
-  };
-  const affordance::Training training = affordance::train(
-      demonstration, scenario.affordance, Random(scenario.seed).fork("train"), options);
+  const affordance::Training training =
+      affordance::train(dataset::RecordedDemonstration(folder), scenario.affordance,
+                        Random(scenario.seed).fork("train"), options_of(scenario, control));
   affordance::save(training.model, file);
+  return training.report;
+}
+
+exemplar::TrainingReport train_exemplar(const Scenario& scenario,
+                                        const std::filesystem::path& folder,
+                                        const std::filesystem::path& onto,
+                                        const std::filesystem::path& file,
+                                        const RunControl& control) {
+  require_whole(folder);
+  const dataset::RecordedDemonstration demonstration(folder);
+  const TrainingOptions options = options_of(scenario, control);
+  const exemplar::Training training =
+      onto.empty() ? exemplar::train(demonstration, scenario.exemplar, options)
+                   : exemplar::grow(exemplar::load(onto), demonstration, options);
+  exemplar::save(training.model, file);
   return training.report;
 }
 

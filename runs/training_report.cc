@@ -62,4 +62,28 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
           {"seconds", seconds}};
 }
 
+std::string to_text(const exemplar::TrainingReport& report) {
+  std::string text = fmt::format(
+      "{} episodes, {} frames: {} exemplars, the red balloon in view in {}, the green one in {}\n",
+      report.episodes, report.frames, report.exemplars, report.red_seen, report.green_seen);
+  if (report.disturbed > 0) {
+    text += fmt::format("{} impulses left out, since interference covered the picture\n",
+                        report.disturbed);
+  }
+  return text + fmt::format("a hierarchy of {} nodes, {} deep; learnt in {:.1f} s\n", report.nodes,
+                            report.depth, report.seconds);
+}
+
+nlohmann::ordered_json to_json(const exemplar::TrainingReport& report) {
+  return {{"episodes", report.episodes},
+          {"frames", report.frames},
+          {"exemplars", report.exemplars},
+          {"disturbed", report.disturbed},
+          {"red_seen", report.red_seen},
+          {"green_seen", report.green_seen},
+          {"nodes", report.nodes},
+          {"depth", report.depth},
+          {"seconds", {{"whole", report.seconds}}}};
+}
+
 }  // namespace pacer

@@ -79,6 +79,12 @@ void FollowingConfig::validate() const {
   require(share_in_range > 0.0 && share_in_range <= 1.0, "share_in_range: must lie in (0, 1]");
 }
 
+void ReachingConfig::validate() const {
+  require(distance > 0.0 && distance <= 5.0, "distance_m: must lie in (0, 5]");
+  require(most_impulses >= 1 && most_impulses <= 10000, "most_impulses: must lie in [1, 10000]");
+  require(standstill.count() > 0.0, "standstill_s: must be positive");
+}
+
 void RoomSplit::validate() const {
   require(!demonstrated.empty(), "demonstrated: name at least one kind of room");
   require(!unseen.empty(), "unseen: name at least one kind of room");
@@ -91,6 +97,14 @@ void RoomSplit::validate() const {
 }
 
 void Scenario::validate() const {
+  require(goal == "follow" || goal == "reach", "goal: expected follow or reach");
+  if (car == "simulated") {
+    const bool balloons = simulated.world.balloons_in_the_open();
+    require(goal != "reach" || balloons,
+            "simulated.world.layout: set it to balloons, which are to be reached");
+    require(goal != "follow" || !balloons,
+            "simulated.world.layout: set it to route, or the goal to reach");
+  }
   require(car == "simulated" || car == "replayed", "car: expected simulated or replayed");
   require(car != "replayed" || !replayed.dataset.empty(),
           "replayed.dataset: name the dataset to replay");

@@ -8,11 +8,15 @@
 #include <vector>
 
 #include "core/channels.h"
+#include "core/impulse.h"
 #include "core/limits.h"
 #include "core/random.h"
 #include "dataset/video.h"
 #include "learning/affordance/config.h"
+#include "learning/exemplar/config.h"
 #include "scenarios/following.h"
+#include "scenarios/reaching.h"
+#include "sim/click_teacher.h"
 #include "sim/sim_car.h"
 #include "sim/teacher.h"
 
@@ -44,6 +48,12 @@ struct ReplayedCarConfig {
   }
 };
 
+/// What the car is to do: which teacher shows it, how it is driven and how that is scored.
+enum class Goal : std::uint8_t {
+  kFollow,  ///< the lead vehicle, a command a frame (chapter 6)
+  kReach,   ///< the red balloon, by impulses (chapter 5)
+};
+
 /// What an episode is driven for. Each has seeds, and rooms, of its own: nothing that is scored
 /// can have been demonstrated.
 enum class Purpose : std::uint8_t { kCollect, kEvaluate, kStudy };
@@ -54,15 +64,20 @@ struct Scenario {
   std::string name = "unnamed";
   std::string task = "Follow the lead vehicle.";  ///< recorded with every episode
   std::uint64_t seed = 1;
+  std::string goal = "follow";    ///< follow or reach
   std::string car = "simulated";  ///< simulated or replayed: the switch
   Limits limits;
   Channels channels;
   RoomSplit rooms;
   sim::SimCarConfig simulated;
   ReplayedCarConfig replayed;
-  sim::TeacherConfig teacher;
+  sim::TeacherConfig teacher;             ///< of following
+  sim::ClickTeacherConfig click_teacher;  ///< of reaching
+  ImpulseConfig impulses;                 ///< of reaching
   affordance::AffordanceConfig affordance;
+  exemplar::ExemplarConfig exemplar;
   FollowingConfig following;
+  ReachingConfig reaching;
   dataset::VideoSettings video;  ///< of recorded datasets
 
   /// Throws std::invalid_argument for what no section can see alone.
@@ -73,6 +88,7 @@ struct Scenario {
     visit("name", name);
     visit("task", task);
     visit("seed", seed);
+    visit("goal", goal);
     visit("car", car);
     visit("limits", limits);
     visit("channels", channels);
@@ -80,10 +96,16 @@ struct Scenario {
     visit("simulated", simulated);
     visit("replayed", replayed);
     visit("teacher", teacher);
+    visit("click_teacher", click_teacher);
+    visit("impulses", impulses);
     visit("affordance", affordance);
+    visit("exemplar", exemplar);
     visit("following", following);
+    visit("reaching", reaching);
     visit("video", video);
   }
+
+  [[nodiscard]] Goal what_for() const { return goal == "reach" ? Goal::kReach : Goal::kFollow; }
 
   /// All chance of one episode.
   [[nodiscard]] Random episode_random(Purpose purpose, std::uint64_t index) const;

@@ -39,7 +39,7 @@ mjsGeom& drawn(mjsBody& body, mjtGeom type, const float* rgba) {
 }  // namespace
 
 std::vector<Footprint> add_balloons(mjSpec& spec, const std::array<Eigen::Vector2d, 2>& tethers,
-                                    const Random& random) {
+                                    const Range& height_range, const Random& random) {
   std::vector<Footprint> taken;
   mjsBody* const world = mjs_findBody(&spec, "world");
   mjsMaterial* const rubber = mjs_addMaterial(&spec, nullptr);
@@ -50,7 +50,7 @@ std::vector<Footprint> add_balloons(mjSpec& spec, const std::array<Eigen::Vector
     const Look& look = kBalloons.at(i);
     Random draw = random.fork(look.name);
     const double radius = draw.uniform(0.125, 0.15);
-    const double height = draw.uniform(0.34, 0.55);  // of its middle
+    const double height = height_range.draw(draw);
 
     mjsBody* const body = mjs_addBody(world, nullptr);
     mjs_setName(body->element, look.name);

@@ -64,6 +64,11 @@ std::span<const RowBand> Camera::take(World& world, Frame& out) {
   return link_.transmit(out);
 }
 
+const BalloonSights& Camera::balloons(World& world, std::span<const RowBand> spoilt) {
+  if (!segmentation_) segmentation_.emplace(world.model(), lens_);
+  return segmentation_->look(world.model(), world.data(), renderer_, spoilt);
+}
+
 PictureGeometry Camera::geometry() const {
   return {.fx = lens_.focal(),
           .fy = lens_.focal(),

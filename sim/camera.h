@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "sim/motion_blur.h"
 #include "sim/radio_link.h"
 #include "sim/renderer.h"
+#include "sim/segmentation.h"
 #include "sim/sensor.h"
 #include "sim/visibility.h"
 #include "sim/world.h"
@@ -56,6 +58,11 @@ class Camera {
   /// Returns the rows that the radio link spoilt; lives until the next call.
   [[nodiscard]] std::span<const RowBand> take(World& world, Frame& out);
 
+  /// What the picture that take() has just taken shows of the balloons; `spoilt` is what take()
+  /// returned. Costs another rendering. The world must not have moved on; lives until the next
+  /// call.
+  [[nodiscard]] const BalloonSights& balloons(World& world, std::span<const RowBand> spoilt);
+
   /// How points get into the pictures.
   [[nodiscard]] PictureGeometry geometry() const;
 
@@ -67,6 +74,7 @@ class Camera {
   Exposure exposure_;
   Sensor sensor_;
   RadioLink link_;
+  std::optional<Segmentation> segmentation_;  // made when first asked for
   Frame rendered_;
 };
 

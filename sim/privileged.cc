@@ -1,51 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/privileged.h"
 
-namespace pacer::sim {
+#include <iterator>
 
-const std::vector<SignalColumn>& privileged_columns() {
-  static const std::vector<SignalColumn> kColumns = {
-      {"privileged.car_pose", {"x", "y", "yaw"}},
-      {"privileged.car_speed", {"speed"}},
-      {"privileged.lead_pose", {"x", "y", "yaw"}},
-      {"privileged.lead_speed", {"speed"}},
-      {"privileged.lead_box", {"left", "top", "right", "bottom"}},
-      {"privileged.lead_in_view", {"share"}},
-      {"privileged.lead_visible", {"share"}},
-      {"privileged.lead_distance", {"distance"}},
-      {"privileged.lead_bearing", {"bearing"}},
-      {"privileged.collision", {"collision"}},
-      {"privileged.corrupted_rows", {"share"}},
-      {"privileged.room_kind", {"index"}},
-  };
-  return kColumns;
+namespace pacer::sim {
+namespace {
+
+using Columns = std::vector<SignalColumn>;
+
+/// `subject` between what is told of the car and what is told of every picture.
+Columns columns_about(const Columns& subject) {
+  Columns columns = {{"privileged.car_pose", {"x", "y", "yaw"}},
+                     {"privileged.car_speed", {"speed"}}};
+  columns.insert(columns.end(), subject.begin(), subject.end());
+  const Columns rest = {{"privileged.collision", {"collision"}},
+                        {"privileged.corrupted_rows", {"share"}},
+                        {"privileged.room_kind", {"index"}}};
+  columns.insert(columns.end(), rest.begin(), rest.end());
+  return columns;
 }
 
-PrivilegedValues values_of(const Privileged& truth) noexcept {
-  const std::array<double, kPrivilegedValues> values = {
-      truth.car_pose.position.x(),
-      truth.car_pose.position.y(),
-      truth.car_pose.yaw,
-      truth.car_speed,
-      truth.lead_pose.position.x(),
-      truth.lead_pose.position.y(),
-      truth.lead_pose.yaw,
-      truth.lead_speed,
-      truth.box_low.x(),
-      truth.box_low.y(),
-      truth.box_high.x(),
-      truth.box_high.y(),
-      truth.lead_in_view,
-      truth.lead_visible,
-      truth.lead_distance,
-      truth.lead_bearing,
-      truth.collision ? 1.0 : 0.0,
-      truth.corrupted_rows,
-      static_cast<double>(truth.room_kind),
+Columns balloon_columns() {
+  Columns columns;
+  for (const char* const name : {"red", "green"}) {
+    const std::string prefix = std::string("privileged.") + name;
+    const Columns one = {{prefix + "_position", {"x", "y"}},
+                         {prefix + "_pixels", {"count"}},
+                         {prefix + "_centroid", {"x", "y"}},
+                         {prefix + "_distance", {"distance"}},
+                         {prefix + "_bearing", {"bearing"}}};
+    columns.insert(columns.end(), one.begin(), one.end());
+  }
+  return columns;
+}
+
+}  // namespace
+
+const std::vector<SignalColumn>& privileged_columns(Subject subject) {
+  static const Columns kLead =
+      columns_about({{"privileged.lead_pose", {"x", "y", "yaw"}},
+                     {"privileged.lead_speed", {"speed"}},
+                     {"privileged.lead_box", {"left", "top", "right", "bottom"}},
+                     {"privileged.lead_in_view", {"share"}},
+                     {"privileged.lead_visible", {"share"}},
+                     {"privileged.lead_distance", {"distance"}},
+                     {"privileged.lead_bearing", {"bearing"}}});
+  static const Columns kBalloons = columns_about(balloon_columns());
+  return subject == Subject::kLead ? kLead : kBalloons;
+}
+
+void values_of(const Privileged& truth, Subject subject, std::vector<float>& values) {
+  values.clear();
+  const auto add = [&values](auto... numbers) {
+    (values.push_back(static_cast<float>(numbers)), ...);
   };
-  PrivilegedValues floats{};
-  for (std::size_t i = 0; i < values.size(); ++i) floats[i] = static_cast<float>(values[i]);
-  return floats;
+  const auto add_pose = [&add](const FloorPose& pose) {
+    add(pose.position.x(), pose.position.y(), pose.yaw);
+  };
+  add_pose(truth.car_pose);
+  add(truth.car_speed);
+  if (subject == Subject::kLead) {
+    add_pose(truth.lead_pose);
+    add(truth.lead_speed, truth.box_low.x(), truth.box_low.y(), truth.box_high.x(),
+        truth.box_high.y(), truth.lead_in_view, truth.lead_visible, truth.lead_distance,
+        truth.lead_bearing);
+  } else {
+    for (const BalloonTruth& balloon : {truth.red, truth.green}) {
+      add(balloon.position.x(), balloon.position.y(), balloon.sight.pixels,
+          balloon.sight.centroid.x(), balloon.sight.centroid.y(), balloon.distance,
+          balloon.bearing);
+    }
+  }
+  add(truth.collision ? 1.0 : 0.0, truth.corrupted_rows, truth.room_kind);
 }
 
 void clip_box(const LeadView& view, ImageSize size, Privileged& truth) noexcept {

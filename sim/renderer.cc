@@ -132,9 +132,35 @@ void Renderer::render(const mjModel& model, mjData& data, Frame& out, std::vecto
   flip_rows(depth_bottom_first_, depth.data(), size_.height);
 }
 
+void Renderer::render_flat(const mjModel& model, mjData& data, std::span<const Rgb> colours,
+                           Rgb rest, Frame& out) {
+  check(colours.size() == static_cast<std::size_t>(model.ngeom), "a colour for every geom");
+  context_.make_current();
+  mjv_updateScene(&model, &data, &shown_, nullptr, &camera_, mjCAT_ALL, &scene_);
+  // MuJoCo writes segid + 1 into the picture, red lowest, and does not draw -1.
+  const auto id_of = [](Rgb colour) { return (colour[0] | colour[1] << 8 | colour[2] << 16) - 1; };
+  constexpr float kClear = 0.5F;  // opacity: one sees through what has less
+  for (int i = 0; i < scene_.ngeom; ++i) {
+    mjvGeom& geom = scene_.geoms[i];
+    const bool ours = geom.objtype == mjOBJ_GEOM && geom.objid >= 0 && geom.objid < model.ngeom;
+    geom.segid = id_of(ours ? colours[static_cast<std::size_t>(geom.objid)] : rest);
+    if (geom.rgba[3] < kClear) geom.segid = -1;
+  }
+  std::array<mjtByte, mjNRNDFLAG> lit{};
+  std::ranges::copy(scene_.flags, lit.begin());
+  scene_.flags[mjRND_SEGMENT] = scene_.flags[mjRND_IDCOLOR] = 1;
+  scene_.flags[mjRND_SKYBOX] = scene_.flags[mjRND_SHADOW] = scene_.flags[mjRND_REFLECTION] = 0;
+  read(out, nullptr);
+  std::ranges::copy(lit, scene_.flags);
+}
+
 void Renderer::draw(const mjModel& model, mjData& data, Frame& out, float* depth) {
   context_.make_current();
   mjv_updateScene(&model, &data, &shown_, nullptr, &camera_, mjCAT_ALL, &scene_);
+  read(out, depth);
+}
+
+void Renderer::read(Frame& out, float* depth) {
   const mjrRect whole{0, 0, size_.width, size_.height};
   mjr_render(whole, &scene_, &buffers_);
   mjr_readPixels(bottom_first_.data(), depth, whole, &buffers_);

@@ -3,6 +3,9 @@
 
 #include <mujoco/mujoco.h>
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +13,9 @@
 #include "sim/gl_context.h"
 
 namespace pacer::sim {
+
+/// Red, green, blue.
+using Rgb = std::array<std::uint8_t, 3>;
 
 /// How much work goes into a picture. What a software renderer pays for is passes, not pixels.
 struct RenderConfig {
@@ -57,11 +63,19 @@ class Renderer {
   /// first. The far plane's distance where nothing was drawn.
   void render(const mjModel& model, mjData& data, Frame& out, std::vector<float>& depth);
 
+  /// Draws every geom of the model flat, in the colour that `colours` (model.ngeom of them) has for
+  /// it, whatever its material and the light; what one sees through is left out, and so is what is
+  /// black. Anything else that is drawn hides what is behind it, in the colour `rest`. At an edge
+  /// smooth rendering mixes two colours.
+  void render_flat(const mjModel& model, mjData& data, std::span<const Rgb> colours, Rgb rest,
+                   Frame& out);
+
   [[nodiscard]] const GlDescription& gl() const noexcept { return context_.description(); }
   [[nodiscard]] ImageSize size() const noexcept { return size_; }
 
  private:
   void draw(const mjModel& model, mjData& data, Frame& out, float* depth);
+  void read(Frame& out, float* depth);
 
   GlContext context_;  // first, so that it outlives the buffers drawn into
   mjvScene scene_{};

@@ -41,6 +41,10 @@ std::int64_t steps_per_frame(const CameraConfig& camera) {
   return static_cast<std::int64_t>(std::ceil(1.0 / (camera.frame_rate_hz * kTimeStep) - 1e-9));
 }
 
+Subject subject_of(const WorldConfig& world) {
+  return world.balloons_in_the_open() ? Subject::kBalloons : Subject::kLead;
+}
+
 void SimCarConfig::validate() const {
   require(duration.count() > 0.0 && duration.count() <= 3600.0,
           "duration_s: must lie in (0, 3600]");
@@ -53,8 +57,24 @@ void SimCarConfig::validate() const {
 struct Shot {
   Frame frame;
   LeadSight sight;
+  BalloonSights balloons;
   Privileged truth;
 };
+
+/// Of something seen from camera `id`: how far over the floor, metres, and radians off its axis.
+struct Way {
+  double distance;
+  double bearing;
+};
+
+Way way_to(const mjData& data, int id, const Eigen::Vector2d& place) {
+  using Axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+  const Eigen::Vector3d eye = Eigen::Map<const Eigen::Vector3d>(data.cam_xpos + 3 * id);
+  const Eigen::Vector3d axis = -Axes(data.cam_xmat + 9 * id).col(2);
+  const Eigen::Vector2d way = place - eye.head<2>();
+  return {.distance = way.norm(),
+          .bearing = wrapped(std::atan2(way.y(), way.x()) - std::atan2(axis.y(), axis.x()))};
+}
 
 class SimCar::Episode {
  public:
@@ -72,11 +92,13 @@ class SimCar::Episode {
         world_(config.world, time_step(config.camera), lens_.rendered_fovy(), random.fork("world")),
         camera_(config.camera, lens_, world_, random.fork("camera")),
         room_kind_(index_of_kind(world_.plan().kind)),
+        subject_(subject_of(config.world)),
         shots_(static_cast<std::size_t>(image_delay_ / frame_steps_) + 2) {
     if (world_.lead() != nullptr) {
       visibility_.emplace(world_.model(), world_.camera(), world_.lead()->body(),
                           camera_.geometry());
     }
+    values_of(truth_, subject_, values_);
   }
 
   /// The next frame with its truth, or nullptr.
@@ -86,15 +108,18 @@ class SimCar::Episode {
     while (step_ < due) advance();
     const Shot& shot = shots_[shown_++ % shots_.size()];
     sight_ = shot.sight;
+    balloons_ = shot.balloons;
     truth_ = shot.truth;
-    values_ = values_of(truth_);
+    values_of(truth_, subject_, values_);
     return &shot.frame;
   }
 
   void send(const Pulses& pulses) { pulses_.send(step_, pulses); }
 
-  [[nodiscard]] const PrivilegedValues& values() const noexcept { return values_; }
+  [[nodiscard]] Subject subject() const noexcept { return subject_; }
+  [[nodiscard]] SignalValues values() const noexcept { return values_; }
   [[nodiscard]] const LeadSight& sight() const noexcept { return sight_; }
+  [[nodiscard]] const BalloonSights& balloons() const noexcept { return balloons_; }
   [[nodiscard]] const Privileged& truth() const noexcept { return truth_; }
   [[nodiscard]] const World& world() const noexcept { return world_; }
 
@@ -122,6 +147,11 @@ class SimCar::Episode {
     shot.truth.corrupted_rows = covered_rows(spoilt) / shot.frame.size.height;
     shot.truth.room_kind = room_kind_;
     if (visibility_) tell_lead(spoilt, shot);
+    if (subject_ == Subject::kBalloons) {
+      shot.balloons = camera_.balloons(world_, spoilt);
+      shot.truth.red = balloon("red_balloon", shot.balloons.red);
+      shot.truth.green = balloon("green_balloon", shot.balloons.green);
+    }
     collision_ = false;
     ++taken_;
   }
@@ -138,16 +168,20 @@ class SimCar::Episode {
 
     using Axes = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
     const Axes body(data.xmat + 9 * lead.body());
-    const Axes camera(data.cam_xmat + 9 * world_.camera());
     const Eigen::Vector3d middle = Eigen::Map<const Eigen::Vector3d>(data.xpos + 3 * lead.body()) +
                                    body * visibility_->middle();
-    const Eigen::Vector3d eye =
-        Eigen::Map<const Eigen::Vector3d>(data.cam_xpos + 3 * world_.camera());
-    const Eigen::Vector2d way = (middle - eye).head<2>();
-    const Eigen::Vector3d axis = -camera.col(2);
-    shot.truth.lead_distance = way.norm();
-    shot.truth.lead_bearing =
-        wrapped(std::atan2(way.y(), way.x()) - std::atan2(axis.y(), axis.x()));
+    const Way way = way_to(data, world_.camera(), middle.head<2>());
+    shot.truth.lead_distance = way.distance;
+    shot.truth.lead_bearing = way.bearing;
+  }
+
+  [[nodiscard]] BalloonTruth balloon(const char* name, const BalloonSight& sight) const {
+    const mjData& data = world_.data();
+    const int hull = mj_name2id(&world_.model(), mjOBJ_GEOM, name);
+    const Eigen::Vector2d place =
+        Eigen::Map<const Eigen::Vector3d>(data.geom_xpos + 3 * hull).head<2>();
+    const Way way = way_to(data, world_.camera(), place);
+    return {.position = place, .sight = sight, .distance = way.distance, .bearing = way.bearing};
   }
 
   std::int64_t frame_steps_;
@@ -160,6 +194,7 @@ class SimCar::Episode {
   Camera camera_;
   std::optional<Visibility> visibility_;
   int room_kind_;
+  Subject subject_;
 
   std::vector<Shot> shots_;  // a ring: frame n is in n modulo its size
   std::uint64_t taken_ = 0;  // frames whose shutter has closed
@@ -168,8 +203,9 @@ class SimCar::Episode {
   bool collision_ = false;   // since the last shutter
 
   LeadSight sight_;
+  BalloonSights balloons_;
   Privileged truth_;
-  PrivilegedValues values_{};
+  std::vector<float> values_;
 };
 
 SimCar::SimCar(const SimCarConfig& config, const Random& random) {
@@ -181,9 +217,12 @@ SimCar::~SimCar() = default;
 
 const Frame* SimCar::look() { return episode_->look(); }
 void SimCar::send(const Pulses& pulses) { episode_->send(pulses); }
-std::span<const SignalColumn> SimCar::signal_columns() const { return privileged_columns(); }
+std::span<const SignalColumn> SimCar::signal_columns() const {
+  return privileged_columns(episode_->subject());
+}
 SignalValues SimCar::signals() const { return episode_->values(); }
 const LeadSight& SimCar::lead_sight() const noexcept { return episode_->sight(); }
+const BalloonSights& SimCar::balloon_sights() const noexcept { return episode_->balloons(); }
 const Privileged& SimCar::truth() const noexcept { return episode_->truth(); }
 const World& SimCar::world() const noexcept { return episode_->world(); }
 

@@ -32,6 +32,9 @@ struct SimCarConfig {
   }
 };
 
+/// What the episodes of `world` are about.
+[[nodiscard]] Subject subject_of(const WorldConfig& world);
+
 /// How many whole time steps of the physics, of 5 ms at most, make up a frame.
 [[nodiscard]] std::int64_t steps_per_frame(const CameraConfig& camera);
 
@@ -57,6 +60,9 @@ class SimCar final : public Car {
 
   /// What can be seen of the lead in the frame last shown. The reference lives as long as the car.
   [[nodiscard]] const LeadSight& lead_sight() const noexcept;
+  /// What the frame last shown shows of the balloons; nothing unless the world's layout is
+  /// `balloons`. The reference lives as long as the car.
+  [[nodiscard]] const BalloonSights& balloon_sights() const noexcept;
   /// The truth at the shutter of the frame last shown.
   [[nodiscard]] const Privileged& truth() const noexcept;
   /// The world at the present: later than the frame last shown.

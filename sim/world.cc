@@ -98,6 +98,10 @@ void fit_outline(mjSpec& spec, const LeadShell& shell) {
 
 void WorldConfig::validate() const {
   draught.validate("draught_n", 0.0, 0.03);
+  require(layout == "route" || layout == "balloons", "layout: must be route or balloons");
+  require(layout == "route" || balloons, "balloons: the layout asks for them");
+  require(layout == "route" || !lead, "lead: only the layout route has a way for one");
+  placement.validate();
   livery.validate();
   room.validate();
   car.validate();
@@ -142,19 +146,32 @@ World::Spec World::furnish(const WorldConfig& config, const Random& random) {
     Spec spec{mj_makeSpec()};
     const Random room = random.fork("room", static_cast<std::uint64_t>(attempt));
     plan_ = config.furnished ? build_room(*spec, config.room, room) : bare_room(*spec, config.room);
-    if (config.balloons) {
-      const auto places = balloon_places(plan_, room.fork("balloon_places"));
-      const std::vector<Footprint> taken = add_balloons(*spec, places, room.fork("balloons"));
-      plan_.obstacles.insert(plan_.obstacles.end(), taken.begin(), taken.end());
-    }
-    if (!config.furnished && !config.lead) return spec;
     try {
-      route_ = plan_route(config.route, plan_, room.fork("route"));
+      lay_out(config, *spec, room);
       return spec;
     } catch (const std::runtime_error&) {
       if (attempt + 1 == kRooms) throw;  // this room is too crowded: the next one
     }
   }
+}
+
+void World::lay_out(const WorldConfig& config, mjSpec& spec, const Random& room) {
+  const auto hang = [&](const std::array<Eigen::Vector2d, 2>& places, const Range& height) {
+    const std::vector<Footprint> taken = add_balloons(spec, places, height, room.fork("balloons"));
+    plan_.obstacles.insert(plan_.obstacles.end(), taken.begin(), taken.end());
+  };
+  if (config.balloons_in_the_open()) {
+    const Placement placement = place_for_reaching(config.placement, plan_, room);
+    start_ = placement.car;
+    hang({placement.red, placement.green}, config.placement.height);
+    return;
+  }
+  if (config.balloons) {
+    hang(balloon_places(plan_, room.fork("balloon_places")), {0.34, 0.55});
+  }
+  if (!config.furnished && !config.lead) return;
+  route_ = plan_route(config.route, plan_, room.fork("route"));
+  start_ = route_.follower_start();
 }
 
 void World::compile(mjSpec& spec) {
@@ -175,7 +192,7 @@ void World::compile(mjSpec& spec) {
 }
 
 void World::settle(const WorldConfig& config) {
-  car_->place(*data_, route_.points.empty() ? FloorPose{} : route_.follower_start());
+  car_->place(*data_, start_);
   if (config.lead) lead_->place(*data_, route_.lead_start());
   for (Seconds past{}; past < kSettle; past += Seconds{model_->opt.timestep}) {
     mj_step(model_.get(), data_.get());

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/random.h"
 #include "core/units.h"
@@ -13,6 +14,7 @@
 #include "sim/draught.h"
 #include "sim/lead_driver.h"
 #include "sim/livery.h"
+#include "sim/placement.h"
 #include "sim/room.h"
 #include "sim/route.h"
 #include "sim/vehicle.h"
@@ -21,9 +23,13 @@ namespace pacer::sim {
 
 /// What there is, and how it varies from episode to episode.
 struct WorldConfig {
-  bool furnished = true;        ///< false: a bare floor of the room's size
-  bool lead = true;             ///< false: the car is alone
-  bool balloons = true;         ///< a red and a green one
+  bool furnished = true;  ///< false: a bare floor of the room's size
+  bool lead = true;       ///< false: the car is alone
+  bool balloons = true;   ///< a red and a green one
+  /// Where the car starts and the balloons stand. `route`: on the lead's way, and out of the way.
+  /// `balloons`: as `placement` says, the balloons in the open.
+  std::string layout = "route";
+  PlacementConfig placement;
   Range draught{0.002, 0.006};  ///< newtons, the most that moving air pushes a balloon with
   RoomConfig room;
   VehicleConfig car;
@@ -36,11 +42,15 @@ struct WorldConfig {
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
 
+  [[nodiscard]] bool balloons_in_the_open() const { return layout == "balloons"; }
+
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("furnished", furnished);
     visit("lead", lead);
     visit("balloons", balloons);
+    visit("layout", layout);
+    visit("placement", placement);
     visit("draught_n", draught);
     visit("room", room);
     visit("car", car);
@@ -87,12 +97,14 @@ class World {
   using Spec = std::unique_ptr<mjSpec, Delete>;
 
   [[nodiscard]] Spec furnish(const WorldConfig& config, const Random& random);
+  void lay_out(const WorldConfig& config, mjSpec& spec, const Random& room);
   void compile(mjSpec& spec);
   void settle(const WorldConfig& config);
   [[nodiscard]] Pulses drive_lead();
 
   RoomPlan plan_;
   Route route_;
+  FloorPose start_;  // of the car
   std::unique_ptr<mjModel, Delete> model_;
   std::unique_ptr<mjData, Delete> data_;
   int camera_ = -1;

@@ -17,10 +17,10 @@ StudyResult study_following(const StudyContext& context, report::Page& page) {
   if (!run.whole) throw StudyStopped();
 
   const std::vector<PolicyEvaluation>& results = run.evaluation.policies;
-  const double learned = results[0].followed().value;
-  const double teacher = results[1].followed().value;
-  const double neutral = results[2].followed().value;
-  const double mean = results[3].followed().value;
+  const double learned = results[0].succeeded().value;
+  const double teacher = results[1].succeeded().value;
+  const double neutral = results[2].succeeded().value;
+  const double mean = results[3].succeeded().value;
   page = evaluation_page(context.scenario, policies, run);
 
   StudyResult result;

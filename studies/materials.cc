@@ -55,6 +55,20 @@ std::filesystem::path Materials::model(std::uint64_t episodes) const {
   return file;
 }
 
+std::filesystem::path Materials::exemplar_model(const exemplar::ExemplarConfig& config,
+                                                std::uint64_t episodes,
+                                                const std::string& name) const {
+  Scenario scenario = context_.scenario;
+  scenario.exemplar = config;
+  std::filesystem::path file =
+      place("exemplar", fmt::format("{} {}", episodes, to_yaml(scenario))) / (name + ".model");
+  if (!std::filesystem::exists(file)) {
+    (void)train_exemplar(scenario, recording(Purpose::kCollect, episodes), {}, file,
+                         context_.control);
+  }
+  return file;
+}
+
 std::filesystem::path Materials::sequences(std::uint64_t seed) const {
   std::filesystem::path folder = place("sequences", std::to_string(seed));
   if (!render_sequences({}, seed, folder, context_.control).whole) {

@@ -63,20 +63,34 @@ report::Table table_of(const ordered_json& results) {
 const std::vector<Study>& studies() {
   static const std::vector<Study> all = {
       {"convergence", "Figures 3.7, 3.8: a predictor, a flock and Lucas-Kanade, 60,000 tests",
-       study_convergence},
-      {"training-range", "Figures 3.3, 3.4: answers within the range of training",
+       "follow", study_convergence},
+      {"training-range", "Figures 3.3, 3.4: answers within the range of training", "follow",
        study_training_range},
-      {"parameters", "Figure 3.9: what a predictor's parameters do", study_parameters},
+      {"parameters", "Figure 3.9: what a predictor's parameters do", "follow", study_parameters},
       {"weighting", "Figure 3.10: a flock weighted by agreement, its target partly hidden",
-       study_weighting},
-      {"interframe", "Figures 3.5, 3.6: a jump of 37 pixels, with blur", study_interframe},
-      {"tracking", "Figures 4.4 to 4.17, Table 4.4: every tracker beside those of today",
+       "follow", study_weighting},
+      {"interframe", "Figures 3.5, 3.6: a jump of 37 pixels, with blur", "follow",
+       study_interframe},
+      {"tracking", "Figures 4.4 to 4.17, Table 4.4: every tracker beside those of today", "follow",
        study_tracking},
-      {"response", "frame to command on one core, SIFT included", study_response},
-      {"throughput", "recording against a bare simulation loop", study_throughput},
-      {"apriori", "mining: equal to independent implementations, and its time", study_apriori},
-      {"hits", "Table 6.1: do mined configurations lie on the lead?", study_hits},
-      {"following", "closed loop in unseen rooms, against the teacher", study_following}};
+      {"output-clustering", "Figure 5.4: grouped by percepts, and grouped by actions", "balloon",
+       study_output_clustering},
+      {"blobs", "Figure 5.10: are balloons found where they are?", "balloon", study_blobs},
+      {"perceptual-weighting", "Figure 5.12: what decides the action decides the match", "balloon",
+       study_perceptual_weighting},
+      {"generalisation", "Figure 5.13: actions of unseen percepts, against tau", "balloon",
+       study_generalisation},
+      {"recall-efficiency", "Figure 5.14: exact matches and spared nodes, against tau", "balloon",
+       study_recall_efficiency},
+      {"exemplar-scale", "searches among 304 to a million exemplars", "balloon",
+       study_exemplar_scale},
+      {"balloon", "Figures 5.15, 5.16: closed loop to the red balloon", "balloon", study_balloon},
+      {"response", "frame to command on one core, SIFT included", "follow", study_response},
+      {"throughput", "recording against a bare simulation loop", "follow", study_throughput},
+      {"apriori", "mining: equal to independent implementations, and its time", "follow",
+       study_apriori},
+      {"hits", "Table 6.1: do mined configurations lie on the lead?", "follow", study_hits},
+      {"following", "closed loop in unseen rooms, against the teacher", "follow", study_following}};
   return all;
 }
 
@@ -104,15 +118,16 @@ ordered_json run_study(const Study& study, const StudyContext& context) {
   return value;
 }
 
-ordered_json run_all_studies(const StudyContext& context) {
+ordered_json run_all_studies(StudyContext context,
+                             const std::function<Scenario(const Study&)>& scenario_of) {
   if (context.out.empty()) throw UsageError("study all: --out names the folder of its page");
-  const Materials materials(context);
-  std::string made_of = materials.fingerprint();
-  for (const auto& given : {context.images, context.sequences}) {
-    made_of += " " + (given ? given->string() : "");
-  }
   ordered_json results = ordered_json::object();
   for (const Study& study : studies()) {
+    context.scenario = scenario_of(study);
+    std::string made_of = Materials(context).fingerprint();
+    for (const auto& given : {context.images, context.sequences}) {
+      made_of += " " + (given ? given->string() : "");
+    }
     const std::filesystem::path kept = context.out / ("." + study.name + ".done.json");
     ordered_json result = earlier(kept, made_of);
     if (result.is_null()) {

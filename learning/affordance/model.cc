@@ -10,8 +10,8 @@
 
 #include "core/hash.h"
 #include "core/output_file.h"
-#include "learning/affordance/byte_stream.h"
-#include "learning/affordance/config_text.h"
+#include "learning/byte_stream.h"
+#include "learning/config_text.h"
 
 namespace pacer::affordance {
 namespace {

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <stdexcept>
-#include <stop_token>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/demonstration.h"
 #include "core/random.h"
+#include "core/training.h"
 #include "learning/affordance/model.h"
 #include "learning/affordance/transaction.h"
 
@@ -44,19 +41,6 @@ struct TrainingReport {
     double seconds = 0.0;
   };
   std::vector<Stage> stages;  ///< in order; measured, so never the same twice
-};
-
-struct TrainingOptions {
-  int jobs = 1;          ///< threads; the model does not depend on it
-  std::string scenario;  ///< the text that the model keeps
-  std::stop_token stop;  ///< when requested, training ends with TrainingStopped
-  /// Hears the stage and how much of it is done, 0 to 1. Calls come one at a time, from any thread.
-  std::function<void(std::string_view stage, double share)> progress;
-};
-
-/// Training was asked to end before it had a model.
-struct TrainingStopped : std::runtime_error {
-  TrainingStopped() : std::runtime_error("training was stopped") {}
 };
 
 struct Training {

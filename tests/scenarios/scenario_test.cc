@@ -99,6 +99,18 @@ TEST(Scenario, ADemonstratedRoomIsNeverUnseen) {
               HasSubstr("rooms.unseen: \"office\" is demonstrated too"));
 }
 
+TEST(Scenario, TheGoalIsOneThatTheWorldServes) {
+  const std::string balloons = "simulated: {world: {lead: false, layout: balloons}}\n";
+  EXPECT_EQ(parse("").what_for(), Goal::kFollow);
+  EXPECT_EQ(parse("goal: reach\n" + balloons).what_for(), Goal::kReach);
+  EXPECT_THAT(complaint([] { parse("goal: reach\n"); }),
+              HasSubstr("simulated.world.layout: set it to balloons"));
+  EXPECT_THAT(complaint([&] { parse(balloons); }),
+              HasSubstr("test.yaml:1: simulated.world.layout: set it to route"));
+  EXPECT_THAT(complaint([] { parse("goal: flee\n"); }),
+              HasSubstr("test.yaml:1: goal: expected follow or reach"));
+}
+
 TEST(Scenario, EpisodesOfDifferentPurposesShareNoChance) {
   const Scenario scenario;
   EXPECT_NE(scenario.episode_random(Purpose::kCollect, 0).next(),

@@ -167,7 +167,7 @@ TEST(Livery, AddsNoMassAndTouchesNothing) {
 
 TEST(Balloons, SwayAndComeBackUpright) {
   const Spec spec(mj_makeSpec());
-  const auto taken = add_balloons(*spec, {{{1.0, 0.5}, {-1.0, 0.0}}}, Random(2));
+  const auto taken = add_balloons(*spec, {{{1.0, 0.5}, {-1.0, 0.0}}}, {0.34, 0.55}, Random(2));
   ASSERT_EQ(taken.size(), 2U);
   EXPECT_EQ(taken[0].centre, Eigen::Vector2d(1.0, 0.5));
   const Model model(mj_compile(spec.get(), nullptr));

@@ -242,5 +242,77 @@ TEST(SimCarConfig, NamesTheFieldThatIsWrong) {
   }
 }
 
+/// A car, and balloons in the open, on a bare floor.
+SimCarConfig with_balloons() {
+  SimCarConfig config = alone();
+  config.world.balloons = true;
+  config.world.layout = "balloons";
+  config.world.room.length = config.world.room.width = {12.0, 12.0};
+  config.camera.link.corrupted = 0.0;
+  return config;
+}
+
+TEST(SimCar, TellsWhereTheBalloonsAreAndWhatIsSeenOfThem) {
+  int seen = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    SimCar car(with_balloons(), Random{seed});
+    const std::size_t pixels = offset_of(car.signal_columns(), "privileged.green_pixels");
+    ASSERT_NE(car.look(), nullptr);
+    const Privileged& truth = car.truth();
+    EXPECT_EQ(car.signals()[pixels], static_cast<float>(car.balloon_sights().green.pixels));
+    for (const BalloonTruth& balloon : {truth.red, truth.green}) {
+      const Eigen::Vector2d way = balloon.position - truth.car_pose.position;
+      EXPECT_NEAR(balloon.distance, way.norm(), 0.03);
+      EXPECT_NEAR(wrapped(balloon.bearing + truth.car_pose.yaw - std::atan2(way.y(), way.x())), 0.0,
+                  0.06);
+      const bool ahead = std::abs(balloon.bearing) < 0.4;
+      if (std::abs(balloon.bearing) > 0.75) {
+        EXPECT_EQ(balloon.sight.pixels, 0);
+      }
+      if (!ahead) continue;
+      ++seen;
+      ASSERT_GT(balloon.sight.pixels, 30) << seed;
+      const double focal = 160.0 / std::tan(0.5 * 62.0 / 180.0 * std::numbers::pi);
+      EXPECT_NEAR(std::atan2(159.5 - balloon.sight.centroid.x(), focal), balloon.bearing, 0.04);
+    }
+  }
+  EXPECT_GT(seen, 2);
+}
+
+TEST(SimCar, ABalloonUnderInterferenceIsNotSeen) {
+  SimCarConfig config = with_balloons();
+  config.camera.link.corrupted = 0.5;
+  config.camera.link.whole = 1.0;
+  SimCar car(config, Random{3});
+  int covered = 0;
+  while (car.look() != nullptr) {
+    const BalloonSights& sights = car.balloon_sights();
+    EXPECT_EQ(sights.spoilt_rows > 0, car.truth().corrupted_rows > 0.0);
+    if (sights.spoilt_rows == 0) continue;
+    ++covered;
+    EXPECT_EQ(sights.red.pixels + sights.green.pixels, 0);
+  }
+  EXPECT_GT(covered, 5);
+}
+
+TEST(SimCar, WhereThereIsALeadItTellsOfTheLead) {
+  SimCar car(pair(), Random{1});
+  ASSERT_NE(car.look(), nullptr);
+  EXPECT_EQ(car.signals().size(), 19U);
+  EXPECT_NO_THROW((void)offset_of(car.signal_columns(), "privileged.lead_box"));
+  EXPECT_THROW((void)offset_of(car.signal_columns(), "privileged.red_pixels"), std::runtime_error);
+}
+
+TEST(SimCar, RefusesALayoutThatTheWorldCannotHave) {
+  SimCarConfig config = with_balloons();
+  config.world.lead = true;
+  EXPECT_THROW(SimCar(config, Random{1}), std::invalid_argument);
+  config = with_balloons();
+  config.world.balloons = false;
+  EXPECT_THROW(SimCar(config, Random{1}), std::invalid_argument);
+  config.world.layout = "heap";
+  EXPECT_THROW(SimCar(config, Random{1}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace pacer::sim

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runs/score.h"
+#include "runs/following_score.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
+
+#include "runs/score.h"
 
 namespace pacer {
 namespace {
@@ -24,7 +26,7 @@ struct Moment {
 
 /// Sixty seconds at 25 frames a second, `at(i)` being frame i; ends where the score asks for it.
 template <class At>
-EpisodeScore score_of(At&& at) {
+FollowingResult score_of(At&& at) {
   FollowingScore scorer(FollowingConfig{}, kColumns);
   const Annotations annotations;
   for (std::uint64_t i = 0; i < 1500; ++i) {
@@ -38,11 +40,11 @@ EpisodeScore score_of(At&& at) {
         .wanted = {}, .sent = {}, .pulses = {}, .signals = values, .annotations = annotations};
     if (!scorer.write(frame, step)) break;
   }
-  return scorer.score();
+  return scorer.result();
 }
 
 TEST(FollowingScore, AWholeEpisodeInViewAndInRangeIsFollowed) {
-  const EpisodeScore score = score_of([](std::uint64_t) { return Moment{.bearing = -0.2F}; });
+  const FollowingResult score = score_of([](std::uint64_t) { return Moment{.bearing = -0.2F}; });
   EXPECT_TRUE(score.followed);
   EXPECT_NEAR(score.driven_s, 60.0, 1e-9);
   EXPECT_DOUBLE_EQ(score.in_view, 1.0);
@@ -50,7 +52,7 @@ TEST(FollowingScore, AWholeEpisodeInViewAndInRangeIsFollowed) {
 }
 
 TEST(FollowingScore, ACollisionEndsItAtOnce) {
-  const EpisodeScore score =
+  const FollowingResult score =
       score_of([](std::uint64_t i) { return Moment{.collision = i == 100 ? 1.0F : 0.0F}; });
   EXPECT_FALSE(score.followed);
   EXPECT_TRUE(score.collided);
@@ -71,7 +73,7 @@ TEST(FollowingScore, TwoSecondsOutOfViewAreForgivenAndMoreAreNot) {
 }
 
 TEST(FollowingScore, AFlickerIsNoLossNorIsTheTimeBeforeTheLeadIsSeen) {
-  const EpisodeScore score = score_of(
+  const FollowingResult score = score_of(
       [](std::uint64_t i) { return Moment{.visible = i < 20 || i % 50 < 5 ? 0.0F : 1.0F}; });
   EXPECT_EQ(score.losses, 0);
   EXPECT_TRUE(score.followed);
@@ -90,14 +92,14 @@ TEST(FollowingScore, ATenthOfTheTimeTooFarIsForgivenAndMoreIsNot) {
 
 TEST(FollowingScore, HalfAnEpisodeIsNotFollowed) {
   FollowingScore scorer(FollowingConfig{}, kColumns);
-  EXPECT_FALSE(scorer.score().followed);
+  EXPECT_FALSE(scorer.result().followed);
 }
 
 TEST(FollowingScore, ReadsBackFromItsJson) {
-  const EpisodeScore score = score_of([](std::uint64_t i) {
+  const FollowingResult score = score_of([](std::uint64_t i) {
     return Moment{.visible = i % 7 == 0 ? 0.0F : 0.5F, .distance = 1.3F};
   });
-  EXPECT_EQ(to_json(score_from_json(to_json(score))), to_json(score));
+  EXPECT_EQ(to_json(score_from_json(Goal::kFollow, to_json(score))), to_json(score));
 }
 
 TEST(FollowingScore, ACarWithoutTruthIsNotScored) {

@@ -10,7 +10,7 @@
 
 #include "core/units.h"
 
-namespace pacer::affordance {
+namespace pacer {
 
 /// A config as one "section.key=value" line a field, in the order of its fields. Numbers are
 /// written so that they read back exactly.
@@ -95,4 +95,4 @@ class ConfigTextReader {
   std::string prefix_;
 };
 
-}  // namespace pacer::affordance
+}  // namespace pacer

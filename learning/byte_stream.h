@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace pacer::affordance {
+namespace pacer {
 
 static_assert(std::endian::native == std::endian::little, "model files are little-endian");
 
@@ -82,4 +82,4 @@ class ByteReader {
   std::string_view rest_;
 };
 
-}  // namespace pacer::affordance
+}  // namespace pacer

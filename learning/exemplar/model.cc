@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/exemplar/model.h"
+
+#include <Eigen/LU>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+
+#include "core/hash.h"
+#include "core/output_file.h"
+#include "learning/byte_stream.h"
+#include "learning/config_text.h"
+
+namespace pacer::exemplar {
+namespace {
+
+void sane(bool condition, const char* what) {
+  if (!condition) throw std::runtime_error(what);
+}
+
+std::string body(const Model& model) {
+  ByteWriter out;
+  ExemplarConfig config = model.config;
+  ConfigTextWriter settings;
+  config.fields(settings);
+  out.text(settings.text());
+  out.value(static_cast<std::int32_t>(model.image_size.width));
+  out.value(static_cast<std::int32_t>(model.image_size.height));
+  out.text(model.scenario);
+  out.text(model.fingerprint);
+  for (const double value : model.drift.reshaped()) out.value(value);
+  const Exemplars& exemplars = model.hierarchy.exemplars();
+  out.sequence(exemplars.percepts());
+  out.sequence(exemplars.actions());
+  return out.bytes();
+}
+
+Model read_body(std::string_view bytes) {
+  ByteReader in(bytes);
+  const std::string settings = in.text();
+  ExemplarConfig config;
+  config.fields(ConfigTextReader(settings));
+  config.validate();
+  ImageSize size;
+  size.width = in.value<std::int32_t>();
+  size.height = in.value<std::int32_t>();
+  sane(size.width > 0 && size.height > 0, "image size");
+  std::string scenario = in.text();
+  std::string fingerprint = in.text();
+  Eigen::Matrix2d drift;
+  for (double& value : drift.reshaped()) value = in.value<double>();
+  sane(drift.allFinite() && drift.determinant() > 0.0 && drift.trace() > 0.0, "the actions' drift");
+  std::vector<double> percepts = in.sequence<double>();
+  std::vector<double> actions = in.sequence<double>();
+  sane(in.rest().empty(), "something follows the exemplars");
+  return {.config = config,
+          .image_size = size,
+          .scenario = std::move(scenario),
+          .fingerprint = std::move(fingerprint),
+          .drift = drift,
+          .hierarchy = Hierarchy(
+              Exemplars(kPerceptSize, kActionSize, std::move(percepts), std::move(actions)),
+              config.hierarchy)};
+}
+
+/// What follows the version.
+Model read_sealed(ByteReader& in) {
+  const std::string_view rest = in.take(in.count(1));
+  const auto sum = in.value<std::uint64_t>();
+  sane(in.rest().empty(), "something follows its end");
+  sane(sum == fnv1a(rest), "its checksum does not match");
+  return read_body(rest);
+}
+
+}  // namespace
+
+std::string to_bytes(const Model& model) {
+  const std::string rest = body(model);
+  ByteWriter out;
+  for (const char letter : Model::kMagic) out.value(letter);
+  out.value(Model::kVersion);
+  out.text(rest);
+  out.value(fnv1a(rest));
+  return out.bytes();
+}
+
+Model from_bytes(std::string_view bytes, std::string_view source) {
+  const std::string file(source);
+  if (!bytes.starts_with(Model::kMagic)) throw std::runtime_error(file + ": not an exemplar model");
+  ByteReader in(bytes.substr(Model::kMagic.size()));
+  std::uint32_t version = 0;
+  try {
+    version = in.value<std::uint32_t>();
+    if (version == Model::kVersion) return read_sealed(in);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(file + ": a damaged exemplar model: " + error.what() +
+                             "; train it again");
+  }
+  throw std::runtime_error(file + ": a model of version " + std::to_string(version) +
+                           ", and this program reads version " + std::to_string(Model::kVersion) +
+                           "; train it again");
+}
+
+void save(const Model& model, const std::filesystem::path& path) {
+  OutputFile file(path);
+  file.write(to_bytes(model));
+  file.keep();
+}
+
+Model load(const std::filesystem::path& path) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in.is_open() || in.bad()) {
+    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
+                            "cannot read the model " + path.string());
+  }
+  return from_bytes(bytes, path.string());
+}
+
+}  // namespace pacer::exemplar

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/frame.h"
+#include "learning/exemplar/config.h"
+#include "learning/exemplar/hierarchy.h"
+
+namespace pacer::exemplar {
+
+/// What exemplar learning keeps: the exemplars, and the hierarchy over them. Constant once made;
+/// policies on any number of threads share one.
+struct Model {
+  ExemplarConfig config;
+  ImageSize image_size;     ///< of the demonstration; frames of another size are refused
+  std::string scenario;     ///< that the demonstration was recorded in, as text
+  std::string fingerprint;  ///< of the demonstration, and of those that it grew by
+  Eigen::Matrix2d drift;    ///< action_drift() of the demonstration
+  Hierarchy hierarchy;      ///< by `config.hierarchy`
+
+  static constexpr std::string_view kMagic = "PACEREXE";
+  /// The number in the file that a change of its format or meaning raises.
+  static constexpr std::uint32_t kVersion = 1;
+};
+
+/// The file's bytes. The same model: the same bytes. Little-endian: "PACEREXE", the version (u32),
+/// the length of the rest (u64), the rest, and the rest's checksum (FNV-1a, u64). The exemplars and
+/// the settings are kept; the hierarchy is built anew on reading, which gives the same one, but for
+/// what was learnt online since it was built: that then has the place that building gives it.
+[[nodiscard]] std::string to_bytes(const Model& model);
+
+/// Reads what to_bytes() wrote. `bytes` are not trusted. Throws std::runtime_error naming `source`:
+/// not a model, another version, truncated, damaged, or senseless.
+[[nodiscard]] Model from_bytes(std::string_view bytes, std::string_view source);
+
+/// Writes aside and renames: `path` is never half a model. Throws std::runtime_error.
+void save(const Model& model, const std::filesystem::path& path);
+
+/// Throws std::runtime_error as from_bytes(), or std::system_error when `path` cannot be read.
+[[nodiscard]] Model load(const std::filesystem::path& path);
+
+}  // namespace pacer::exemplar

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/exemplar/nn_pa.h"
+
+#include <cmath>
+#include <limits>
+#include <nanoflann.hpp>
+
+namespace pacer::exemplar {
+namespace {
+
+/// 1, or one over each number's variance.
+std::vector<double> weights(const Exemplars& exemplars, PerceptUnits units) {
+  std::vector<double> weight(exemplars.percept_size(), 1.0);
+  if (units == PerceptUnits::kRaw) return weight;
+  constexpr double kConstant = 1e-24;  // of the squared mean; less variance is rounding
+  const auto count = static_cast<double>(exemplars.size());
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    double mean = 0.0;
+    double variance = 0.0;
+    for (std::size_t n = 0; n < exemplars.size(); ++n) mean += exemplars.percept(n)[i] / count;
+    for (std::size_t n = 0; n < exemplars.size(); ++n) {
+      variance += std::pow(exemplars.percept(n)[i] - mean, 2) / count;
+    }
+    weight[i] = variance > kConstant * mean * mean ? 1.0 / variance : 0.0;
+  }
+  return weight;
+}
+
+}  // namespace
+
+NnPa::NnPa(const Exemplars& exemplars, PerceptUnits units)
+    : exemplars_(exemplars), weight_(weights(exemplars, units)) {}
+
+std::size_t NnPa::nearest(std::span<const double> percept) const {
+  require_percept(percept, exemplars_.percept_size());
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < exemplars_.size(); ++n) {
+    const std::span<const double> other = exemplars_.percept(n);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < percept.size(); ++i) {
+      sum += weight_[i] * (percept[i] - other[i]) * (percept[i] - other[i]);
+    }
+    if (sum < least) {
+      least = sum;
+      nearest = n;
+    }
+  }
+  return nearest;
+}
+
+struct NnPaTree::Index {
+  /// The percepts as nanoflann reads them.
+  struct Points {
+    std::vector<double> values;  // N x size
+    std::size_t size;
+    [[nodiscard]] std::size_t kdtree_get_point_count() const { return values.size() / size; }
+    [[nodiscard]] double kdtree_get_pt(std::size_t n, std::size_t i) const {
+      return values[n * size + i];
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box& /*box*/) const {
+      return false;  // it works it out
+    }
+  };
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Adaptor<double, Points>, Points,
+                                                   -1, std::size_t>;
+
+  std::vector<double> scale;
+  Points points;
+  Tree tree;
+
+  Index(const Exemplars& exemplars, std::vector<double> weight)
+      : scale(std::move(weight)),
+        points{.values = {}, .size = exemplars.percept_size()},
+        tree(static_cast<int>(points.size), points,
+             nanoflann::KDTreeSingleIndexAdaptorParams(
+                 16, nanoflann::KDTreeSingleIndexAdaptorFlags::SkipInitialBuildIndex)) {
+    for (double& value : scale) value = std::sqrt(value);
+    points.values.assign(exemplars.percepts().begin(), exemplars.percepts().end());
+    for (std::size_t k = 0; k < points.values.size(); ++k) {
+      points.values[k] *= scale[k % points.size];
+    }
+    tree.buildIndex();
+  }
+};
+
+NnPaTree::NnPaTree(const Exemplars& exemplars, PerceptUnits units)
+    : index_(std::make_unique<Index>(exemplars, weights(exemplars, units))) {}
+NnPaTree::~NnPaTree() = default;
+NnPaTree::NnPaTree(NnPaTree&&) noexcept = default;
+
+std::size_t NnPaTree::nearest(std::span<const double> percept) const {
+  require_percept(percept, index_->points.size);
+  std::vector<double> point(percept.begin(), percept.end());
+  for (std::size_t i = 0; i < point.size(); ++i) point[i] *= index_->scale[i];
+  std::size_t nearest = 0;
+  double squared = 0.0;
+  index_->tree.knnSearch(point.data(), 1, &nearest, &squared);
+  return nearest;
+}
+
+}  // namespace pacer::exemplar

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runs/hierarchy_picture.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/exemplar/percept.h"
+#include "runs/report/canvas.h"
+
+namespace pacer {
+namespace {
+
+using exemplar::ActionTree;
+using exemplar::Hierarchy;
+using exemplar::NodeId;
+namespace canvas = report::canvas;
+
+constexpr int kWidth = 1280;
+constexpr int kMargin = 16;
+constexpr int kPlot = 360;   // height of the actions
+constexpr int kLevels = 4;   // of nodes, the root's included
+constexpr int kArrows = 34;  // height of a node's strip of actions
+constexpr int kGap = 10;
+const cv::Scalar kRed(232, 72, 72);
+const cv::Scalar kGreen(72, 190, 96);
+const cv::Scalar kLine(84, 94, 110);
+const std::array<cv::Scalar, 3> kGroups = {cv::Scalar(88, 166, 255), cv::Scalar(255, 159, 28),
+                                           cv::Scalar(188, 140, 255)};
+
+/// Turn and drive as a place on a plot: left is left, and ahead is up.
+class ActionPlot {
+ public:
+  ActionPlot(const Hierarchy& hierarchy, const cv::Rect& place) : place_(place) {
+    double most = 0.05;
+    for (std::size_t n = 0; n < hierarchy.exemplars().size(); ++n) {
+      most = std::max(most, hierarchy.exemplars().action(n)[1]);
+    }
+    most_drive_ = 1.08 * most;
+  }
+  [[nodiscard]] cv::Point at(double turn, double drive) const {
+    return {static_cast<int>(std::lround(place_.x + 0.5 * (1.0 - turn / kMostTurn) * place_.width)),
+            static_cast<int>(std::lround(place_.y + (1.0 - drive / most_drive_) * place_.height))};
+  }
+  [[nodiscard]] double most_drive() const { return most_drive_; }
+  static constexpr double kMostTurn = 1.05;
+
+ private:
+  cv::Rect place_;
+  double most_drive_;
+};
+
+struct Bounds {
+  std::array<double, 2> low, high;
+};
+
+/// The cuts of `node`'s cell and of those below.
+void draw_cuts(cv::Mat& image, const ActionPlot& plot, const ActionTree& tree, NodeId node,
+               const Bounds& cell) {
+  const ActionTree::Node& one = tree.nodes()[node];
+  if (one.leaf()) return;
+  Bounds low = cell;
+  Bounds high = cell;
+  low.high[one.axis] = high.low[one.axis] = one.cut;
+  const cv::Point from = plot.at(high.low[0], high.low[1]);
+  const cv::Point to =
+      one.axis == 0 ? plot.at(one.cut, cell.high[1]) : plot.at(cell.high[0], one.cut);
+  cv::line(image, from, to, kLine, 1, cv::LINE_AA);
+  draw_cuts(image, plot, tree, one.left, low);
+  draw_cuts(image, plot, tree, one.right, high);
+}
+
+/// The three largest groups that cutting the largest one again and again leaves.
+std::vector<NodeId> three_groups(const ActionTree& tree) {
+  std::vector<NodeId> groups = {0};
+  const auto count = [&](NodeId node) {
+    const ActionTree::Node& one = tree.nodes()[node];
+    return one.leaf() ? 0U : one.count;
+  };
+  while (groups.size() < kGroups.size()) {
+    const auto largest = std::ranges::max_element(groups, {}, count);
+    const ActionTree::Node& one = tree.nodes()[*largest];
+    if (one.leaf()) break;
+    *largest = one.left;
+    groups.push_back(one.right);
+  }
+  return groups;
+}
+
+/// Two standard deviations about an action model.
+void draw_model(cv::Mat& image, const ActionPlot& plot, const exemplar::Gaussian& model,
+                const cv::Scalar& colour) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(Eigen::Matrix2d(model.covariance));
+  std::vector<cv::Point> outline;
+  constexpr int kPoints = 72;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPoints;
+    const Eigen::Vector2d side = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(
+        Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    const Eigen::Vector2d point = model.mean.head<2>() + 2.0 * (axes.eigenvectors() * side);
+    outline.push_back(plot.at(point.x(), point.y()));
+  }
+  cv::polylines(image, outline, true, colour, 2, cv::LINE_AA);
+}
+
+void draw_actions(cv::Mat& image, const Hierarchy& hierarchy) {
+  constexpr int kAxis = 22;
+  const cv::Rect place(kMargin, kMargin + 24, kWidth - 2 * kMargin, kPlot - kAxis - 24);
+  const ActionPlot plot(hierarchy, place);
+  canvas::text(image, "actions: turn (left is left) and drive (up is ahead), as the tree cuts them",
+               {kMargin, kMargin + 10}, {.height_px = 11});
+  cv::Mat inside = image(place);
+  draw_cuts(
+      image, plot, hierarchy.tree(), 0,
+      {.low = {-ActionPlot::kMostTurn, 0.0}, .high = {ActionPlot::kMostTurn, plot.most_drive()}});
+  cv::rectangle(image, place, kLine, 1);
+  const std::vector<NodeId> groups = three_groups(hierarchy.tree());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (const std::uint32_t n : hierarchy.tree().exemplars_of(groups[g])) {
+      const auto action = hierarchy.exemplars().action(n);
+      cv::circle(image, plot.at(action[0], action[1]), 3, kGroups[g], cv::FILLED, cv::LINE_AA);
+    }
+    if (hierarchy.has_model(groups[g])) {
+      draw_model(image, plot, hierarchy.action_model(groups[g]), kGroups[g]);
+    }
+  }
+}
+
+/// What one node has seen, its exemplars' balloons, each as its ellipse, and its actions.
+void draw_node(cv::Mat image, const Hierarchy& hierarchy, NodeId node, double scale) {
+  constexpr std::size_t kMost = 120;  // exemplars drawn
+  const std::span<const std::uint32_t> members = hierarchy.tree().exemplars_of(node);
+  const std::size_t step = (members.size() + kMost - 1) / kMost;
+  cv::Mat view = image.rowRange(0, image.rows - kArrows);
+  view.setTo(cv::Scalar(30, 36, 45));
+  const double alpha =
+      std::max(0.06, 0.9 / std::sqrt(static_cast<double>((members.size() + step - 1) / step)));
+  cv::Mat layer;
+  const cv::Point foot(image.cols / 2, image.rows - 6);
+  for (std::size_t i = 0; i < members.size(); i += step) {
+    exemplar::Percept percept{};
+    std::ranges::copy(hierarchy.exemplars().percept(members[i]), percept.begin());
+    const exemplar::Balloons balloons = exemplar::balloons(percept);
+    view.copyTo(layer);
+    for (const auto& [blob, colour] : {std::pair(&balloons.green, kGreen), {&balloons.red, kRed}}) {
+      if (!*blob) continue;
+      const exemplar::Ellipse shape = exemplar::ellipse(**blob);
+      cv::ellipse(layer,
+                  cv::Point(static_cast<int>(std::lround(scale * (*blob)->centroid.x())),
+                            static_cast<int>(std::lround(scale * (*blob)->centroid.y()))),
+                  cv::Size(std::max(2, static_cast<int>(std::lround(scale * shape.major))),
+                           std::max(2, static_cast<int>(std::lround(scale * shape.minor)))),
+                  shape.angle * 180.0 / std::numbers::pi, 0.0, 360.0, colour, cv::FILLED,
+                  cv::LINE_AA);
+    }
+    cv::addWeighted(layer, alpha, view, 1.0 - alpha, 0.0, view);
+    const auto action = hierarchy.exemplars().action(members[i]);
+    const double angle = action[0] * std::numbers::pi / 3.0;
+    const double length = (kArrows - 8) * std::clamp(2.0 * action[1], 0.3, 1.0);
+    cv::line(image, foot,
+             foot - cv::Point(static_cast<int>(std::lround(length * std::sin(angle))),
+                              static_cast<int>(std::lround(length * std::cos(angle)))),
+             canvas::kInk, 1, cv::LINE_AA);
+  }
+  canvas::text(image, fmt::format("{}", members.size()), {4, image.rows - 6}, {.height_px = 9});
+  cv::rectangle(image, {0, 0, image.cols, image.rows}, kLine, 1);
+}
+
+}  // namespace
+
+Frame draw_hierarchy(const exemplar::Model& model) {
+  const Hierarchy& hierarchy = model.hierarchy;
+  constexpr int kColumns = 1 << (kLevels - 1);
+  constexpr int kNodeWidth = (kWidth - 2 * kMargin - (kColumns - 1) * kGap) / kColumns;
+  const double scale = static_cast<double>(kNodeWidth) / model.image_size.width;
+  const int node_height = static_cast<int>(std::lround(scale * model.image_size.height)) + kArrows;
+  constexpr int kBetween = 26;
+  Frame frame;
+  cv::Mat image = canvas::resized(
+      frame,
+      {.width = kWidth, .height = kPlot + kMargin + 24 + kLevels * (node_height + kBetween)});
+  image.setTo(canvas::kBackground);
+  draw_actions(image, hierarchy);
+  canvas::text(image,
+               "percepts: what each node has seen, red and green balloons of its exemplars; below "
+               "them their number and their actions",
+               {kMargin, kPlot + kMargin + 8}, {.height_px = 11});
+
+  std::vector<NodeId> level = {0};
+  for (int depth = 0; depth < kLevels; ++depth) {
+    const int y = kPlot + kMargin + 24 + depth * (node_height + kBetween);
+    const auto middle = [&](std::size_t i, int levels_down) {
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(1 << levels_down);
+      return kMargin + static_cast<int>(share * (kWidth - 2 * kMargin));
+    };
+    std::vector<NodeId> next;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      const bool there = level[i] != exemplar::kNoNode;
+      const ActionTree::Node* const node = there ? &hierarchy.tree().nodes()[level[i]] : nullptr;
+      // Left in the picture is the turn to the left, which is the greater one.
+      const bool inner = there && !node->leaf();
+      const bool turned = inner && node->axis == 0;
+      next.push_back(inner ? (turned ? node->right : node->left) : exemplar::kNoNode);
+      next.push_back(inner ? (turned ? node->left : node->right) : exemplar::kNoNode);
+      if (!there) continue;
+      const int x = middle(i, depth);
+      if (depth + 1 < kLevels && inner) {
+        for (const std::size_t child : {2 * i, 2 * i + 1}) {
+          cv::line(image, {x, y + node_height},
+                   {middle(child, depth + 1), y + node_height + kBetween}, kLine, 1, cv::LINE_AA);
+        }
+      }
+      draw_node(image(cv::Rect(x - kNodeWidth / 2, y, kNodeWidth, node_height)), hierarchy,
+                level[i], scale);
+    }
+    level = std::move(next);
+  }
+  return frame;
+}
+
+}  // namespace pacer

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/exemplar/model.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "tests/learning/exemplar/random_exemplars.h"
+
+namespace pacer::exemplar {
+namespace {
+
+Model random_model(std::size_t exemplars) {
+  ExemplarConfig config;
+  config.hierarchy.tau = 12.5;
+  config.response.choose = "sample";
+  return {.config = config,
+          .image_size = {.width = 320, .height = 240},
+          .scenario = "seed: 1",
+          .fingerprint = "0123",
+          .drift = Eigen::Matrix2d{{0.2, 0.01}, {0.01, 0.1}},
+          .hierarchy = Hierarchy(pacer::testing::random_exemplars(exemplars, kPerceptSize,
+                                                                  kActionSize, Random(exemplars)),
+                                 config.hierarchy)};
+}
+
+std::string failure(std::string_view bytes) {
+  try {
+    (void)from_bytes(bytes, "the.model");
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The bytes as if a program had written them so: with the right checksum.
+std::string resealed(std::string bytes) {
+  constexpr std::size_t kHeader = 8 + 4 + 8;
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (std::size_t i = kHeader; i + 8 < bytes.size(); ++i) {
+    hash = (hash ^ static_cast<std::uint8_t>(bytes[i])) * 0x100000001b3U;
+  }
+  for (std::size_t i = 0; i < 8; ++i) {
+    bytes[bytes.size() - 8 + i] = static_cast<char>(hash >> (8 * i) & 0xffU);
+  }
+  return bytes;
+}
+
+TEST(ModelFile, ReadsBackToTheSameBytes) {
+  const std::string bytes = to_bytes(random_model(300));
+  const Model model = from_bytes(bytes, "the.model");
+  EXPECT_EQ(to_bytes(model), bytes);
+}
+
+TEST(ModelFile, KeepsEverythingAndTheSameHierarchy) {
+  const Model model = random_model(80);
+  const Model read = from_bytes(to_bytes(model), "the.model");
+  EXPECT_EQ(read.hierarchy.config(), model.hierarchy.config());
+  EXPECT_EQ(read.config.response.choose, "sample");
+  EXPECT_EQ(read.image_size, model.image_size);
+  EXPECT_EQ(read.drift, model.drift);
+  EXPECT_EQ(read.scenario, model.scenario);
+  EXPECT_EQ(read.fingerprint, model.fingerprint);
+  ASSERT_EQ(read.hierarchy.tree().nodes().size(), model.hierarchy.tree().nodes().size());
+  for (NodeId node = 0; node < read.hierarchy.tree().nodes().size(); ++node) {
+    ASSERT_EQ(read.hierarchy.has_model(node), model.hierarchy.has_model(node));
+    if (!read.hierarchy.has_model(node)) continue;
+    EXPECT_EQ(read.hierarchy.percept_model(node).covariance,
+              model.hierarchy.percept_model(node).covariance);
+  }
+}
+
+TEST(ModelFile, EveryTruncationIsRefused) {
+  const std::string bytes = to_bytes(random_model(2));
+  for (std::size_t size = 0; size < bytes.size(); size += size < 64 ? 1 : 37) {
+    EXPECT_NE(failure(bytes.substr(0, size)), "") << size;
+  }
+  EXPECT_NE(failure(bytes + "x"), "");
+}
+
+TEST(ModelFile, EveryFlippedByteIsRefused) {
+  std::string bytes = to_bytes(random_model(2));
+  for (std::size_t i = 0; i < bytes.size(); i += i < 64 ? 1 : 53) {
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x40);
+    EXPECT_NE(failure(bytes), "") << i;
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x40);
+  }
+}
+
+TEST(ModelFile, HostileBytesUnderAGoodChecksumAreRefusedOrHarmless) {
+  const std::string bytes = to_bytes(random_model(5));
+  Random random(9);
+  int refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    std::string hostile = bytes;
+    const std::size_t at = 20 + random.below(bytes.size() - 28);
+    for (std::size_t i = at; i < std::min(at + 8, bytes.size() - 8); ++i) {
+      hostile[i] = static_cast<char>(random.chance(0.5) ? 0xff : random.below(256));
+    }
+    refused += failure(resealed(hostile)).empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 0);
+}
+
+TEST(ModelFile, AnotherVersionSaysWhatToDo) {
+  std::string bytes = to_bytes(random_model(1));
+  bytes[8] = 77;
+  EXPECT_NE(failure(bytes).find("version 77"), std::string::npos);
+  EXPECT_NE(failure(bytes).find("train it again"), std::string::npos);
+  EXPECT_EQ(failure(bytes).find("damaged"), std::string::npos);
+}
+
+TEST(ModelFile, AnotherKindOfFileIsNamed) {
+  EXPECT_EQ(failure("PK\x03\x04"), "the.model: not an exemplar model");
+}
+
+TEST(ModelFile, IsWrittenWholeOrNotAtAll) {
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("pacer_model_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const Model model = random_model(4);
+  save(model, folder / "a.model");
+  EXPECT_EQ(to_bytes(load(folder / "a.model")), to_bytes(model));
+  EXPECT_THROW(save(model, folder / "a.model" / "b.model"), std::runtime_error);
+  EXPECT_THROW((void)load(folder / "none.model"), std::system_error);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1)
+      << "nothing is left aside";
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace pacer::exemplar

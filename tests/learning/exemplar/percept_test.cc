@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/exemplar/percept.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/learning/exemplar/painted.h"
+
+namespace pacer::exemplar {
+namespace {
+
+using namespace testing;  // NOLINT(google-build-using-namespace): painted.h
+
+constexpr ImageSize kSize{320, 240};
+
+Balloons found(const Frame& frame) { return BalloonFinder().find(frame); }
+
+Frame room(double red_x, double green_x) {
+  Frame frame = wall(kSize);
+  fill_rectangle(frame, 0, 130, 320, 110, {90, 80, 70});
+  fill_ball(frame, red_x, 70.0, 18.0, kRedRubber);
+  fill_ball(frame, green_x, 80.0, 12.0, kGreenRubber);
+  add_noise(frame, 2.5, Random(4));
+  return frame;
+}
+
+TEST(Percept, IsNineValuesForTheRedAndThenNineForTheGreenBalloon) {
+  const Balloons seen = found(room(80.0, 220.0));
+  ASSERT_TRUE(seen.red && seen.green);
+  const Percept values = percept(seen);
+  EXPECT_NEAR(values[0], 3.1416 * 18.0 * 20.7, 60.0);
+  EXPECT_NEAR(values[1], 80.0, 0.4);
+  EXPECT_NEAR(values[2], 70.0, 0.4);
+  EXPECT_NEAR(values[3], 18.0 * 18.0 / 4.0, 6.0);
+  EXPECT_NEAR(values[4], 0.0, 4.0);
+  EXPECT_NEAR(values[5], 20.7 * 20.7 / 4.0, 7.0);
+  EXPECT_GT(values[6], 5.0 * values[7]);
+  EXPECT_NEAR(values[10], 220.0, 0.4);
+  EXPECT_NEAR(values[11], 80.0, 0.4);
+  EXPECT_GT(values[16], 3.0 * values[15]);
+}
+
+TEST(Percept, HasNineZerosForABalloonThatIsNotSeen) {
+  Frame frame = wall(kSize);
+  fill_ball(frame, 100.0, 60.0, 15.0, kGreenRubber);
+  const Percept values = percept(found(frame));
+  for (std::size_t i = 0; i < kBalloonValues; ++i) EXPECT_EQ(values[i], 0.0);
+  EXPECT_NEAR(values[10], 100.0, 0.4);
+}
+
+TEST(Percept, TellsWhatItWasMadeOf) {
+  const Balloons seen = found(room(80.0, 220.0));
+  const Percept values = percept(seen);
+  EXPECT_EQ(percept(balloons(values)), values);
+  EXPECT_FALSE(balloons(Percept{}).red);
+}
+
+TEST(Percept, FollowsABalloonPixelByPixel) {
+  for (double x = 60.0; x < 64.0; x += 0.25) {
+    const Balloons seen = found(room(x, 220.0));
+    ASSERT_TRUE(seen.red) << x;
+    EXPECT_NEAR(seen.red->centroid.x(), x, 0.4);
+  }
+}
+
+TEST(Percept, ABalloonIsNamedInBrightAndInDimLight) {
+  for (const double light : {0.5, 0.8, 1.3}) {
+    Frame frame = room(80.0, 220.0);
+    for (std::uint8_t& level : frame.rgb) {
+      level = static_cast<std::uint8_t>(std::min(255.0, light * level));
+    }
+    const Balloons seen = found(frame);
+    EXPECT_TRUE(seen.red && seen.green) << light;
+  }
+}
+
+TEST(Percept, ABalloonBehindATablesLegIsOne) {
+  Frame frame = room(80.0, 220.0);
+  fill_rectangle(frame, 76, 30, 8, 120, {100, 70, 40});
+  const Balloons seen = found(frame);
+  ASSERT_TRUE(seen.red);
+  EXPECT_NEAR(seen.red->centroid.x(), 79.5, 0.7);
+  EXPECT_NEAR(seen.red->centroid.y(), 70.0, 0.7);
+  EXPECT_GT(seen.red->area, 700.0);
+}
+
+TEST(Percept, ABalloonThatThePicturesEdgeCutsIsSeen) {
+  const Balloons seen = found(room(2.0, 220.0));
+  ASSERT_TRUE(seen.red);
+  EXPECT_TRUE(seen.red->cut.left);
+  EXPECT_NEAR(seen.red->centroid.y(), 70.0, 0.7);
+}
+
+TEST(Percept, FlatThingsOfABalloonsColourAreNone) {
+  Frame frame = wall(kSize);
+  fill_rectangle(frame, 50, 40, 25, 30, kRedRubber);    // a drawer
+  fill_rectangle(frame, 150, 40, 5, 28, kGreenRubber);  // a book
+  add_noise(frame, 2.5, Random(4));
+  const Balloons seen = found(frame);
+  EXPECT_FALSE(seen.red);
+  EXPECT_FALSE(seen.green);
+}
+
+TEST(Percept, BallsOfOtherColoursAreNone) {
+  for (const Rgb& other : {Rgb{200, 90, 20}, Rgb{170, 40, 90}, Rgb{60, 150, 120}, Rgb{120, 150, 30},
+                           Rgb{150, 60, 60}}) {
+    Frame frame = wall(kSize);
+    fill_ball(frame, 100.0, 60.0, 20.0, other);
+    const Balloons seen = found(frame);
+    EXPECT_FALSE(seen.red);
+    EXPECT_FALSE(seen.green);
+  }
+}
+
+TEST(Percept, WhatStandsOnTheFloorIsNoBalloon) {
+  Frame frame = wall(kSize);
+  fill_ball(frame, 100.0, 180.0, 12.0, kRedRubber);
+  EXPECT_FALSE(found(frame).red);
+}
+
+TEST(Percept, NoiseHasNoBalloons) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Balloons seen = found(noise(kSize, Random(seed)));
+    EXPECT_FALSE(seen.red);
+    EXPECT_FALSE(seen.green);
+  }
+}
+
+TEST(Percept, RowsOfSnowAndWhatMayHaveSlippedBelowThemAreNotLookedAt) {
+  Frame frame = room(80.0, 220.0);
+  add_snow(frame, 20, 40, Random(5));
+  EXPECT_EQ(found(frame), Balloons{});
+  frame = room(80.0, 220.0);
+  add_snow(frame, 120, 160, Random(5));
+  const Balloons seen = found(frame);
+  EXPECT_TRUE(seen.red && seen.green);
+}
+
+TEST(Percept, BlackWhiteTinyAndEmptyFramesHaveNoBalloons) {
+  for (const ImageSize size : {ImageSize{320, 240}, {1, 1}, {1, 50}, {50, 1}, {3, 2}, {0, 0}}) {
+    for (const double level : {0.0, 255.0}) {
+      EXPECT_EQ(found(wall(size, {level, level, level})), Balloons{});
+    }
+  }
+}
+
+TEST(Percept, MarksWhatWasSeen) {
+  Annotations marks;
+  mark(found(room(80.0, 220.0)), marks);
+  ASSERT_EQ(marks.points.size(), 2U);
+  EXPECT_EQ(marks.points[0].tone, Tone::kTarget);
+  EXPECT_NEAR(marks.points[0].at.x, 80.0, 0.5);
+  for (const LineMark& line : marks.lines) EXPECT_GT(line.from.x, 50.0F);
+}
+
+TEST(ColourTable, NamesTheBalloonsAndNothingGrey) {
+  const ColourTable table;
+  EXPECT_EQ(table.name({190, 15.5, 17.7}), Name::kRed);
+  EXPECT_EQ(table.name({95, 7.7, 8.8}), Name::kRed);
+  EXPECT_EQ(table.name({23, 140, 36}), Name::kGreen);
+  EXPECT_EQ(table.name({120, 120, 120}), Name::kNone);
+  EXPECT_EQ(table.name({0, 0, 0}), Name::kNone);
+  EXPECT_EQ(table.name({255, 255, 0}), Name::kNone);
+}
+
+TEST(ColourTable, NamesOtherBalloonsWhereItIsToldTo) {
+  ColourTableConfig config;
+  config.red_balloon = {.red = 0.9, .green = 0.8, .blue = 0.1};  // a yellow one in its place
+  const ColourTable table(config);
+  EXPECT_EQ(table.name({180, 160, 20}), Name::kRed);
+  EXPECT_EQ(table.name({190, 15.5, 17.7}), Name::kNone);
+}
+
+TEST(PerceptConfig, ABadValueNamesSectionAndField) {
+  const auto message = [](const PerceptConfig& config) -> std::string {
+    try {
+      config.validate();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  PerceptConfig config;
+  EXPECT_EQ(message(config), "");
+  config.colours.green_balloon.tolerance = -1.0;
+  EXPECT_TRUE(message(config).starts_with("colours.green_balloon.tolerance")) << message(config);
+  config = {};
+  config.balloons.lowest = 2.0;
+  EXPECT_TRUE(message(config).starts_with("balloons.lowest")) << message(config);
+}
+
+}  // namespace
+}  // namespace pacer::exemplar

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/exemplar/response.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace pacer::exemplar {
+namespace {
+
+TEST(ActionDrift, IsTheMeanSquareOfTheChangesWithinEpisodes) {
+  const Eigen::Matrix2d drift = action_drift({{{0.0, 0.2}, {0.4, 0.2}, {0.0, 0.3}}, {{-1.0, 0.5}}});
+  EXPECT_NEAR(drift(0, 0), (0.16 + 0.16) / 2.0, 0.003);
+  EXPECT_NEAR(drift(1, 1), 0.01 / 2.0, 0.003);
+  EXPECT_NEAR(drift(0, 1), -0.04 / 2.0, 1e-12);
+}
+
+TEST(ActionDrift, IsNeverSingular) {
+  for (const auto& episodes : std::vector<std::vector<std::vector<Action>>>{
+           {}, {{{0.1, 0.2}}}, {{{0.1, 0.2}, {0.1, 0.2}}}}) {
+    EXPECT_GT(action_drift(episodes).determinant(), 0.0);
+  }
+}
+
+/// Percepts that say nothing about which of two actions is right.
+Hierarchy two_ways() {
+  std::vector<double> percepts;
+  std::vector<double> actions;
+  Random random(3);
+  for (int n = 0; n < 40; ++n) {
+    percepts.push_back(random.normal(0.0, 1.0));
+    percepts.push_back(random.normal(0.0, 1.0));
+    actions.push_back((n % 2 == 0 ? 0.8 : -0.8) + random.normal(0.0, 0.02));
+    actions.push_back(0.3);
+  }
+  return {Exemplars(2, 2, percepts, actions), HierarchyConfig{}};
+}
+
+TEST(Responder, KeepsToOneOfTwoWaysThatAreAsLikely) {
+  const Hierarchy hierarchy = two_ways();
+  Searcher searcher(hierarchy);
+  Random random(9);
+  const Eigen::Matrix2d drift = 0.05 * Eigen::Matrix2d::Identity();
+  Responder responder(hierarchy, drift, {.choose = "consistent"}, Random(1));
+  double side = 0.0;
+  for (int i = 0; i < 30; ++i) {
+    const std::vector<double> percept = {random.normal(0.0, 1.0), random.normal(0.0, 1.0)};
+    const double turn = responder.respond(searcher.find(percept)).x();
+    EXPECT_GT(std::abs(turn), 0.7) << "no mean of both";
+    if (i == 0) side = turn;
+    EXPECT_GT(turn * side, 0.0) << i;
+  }
+}
+
+TEST(Responder, SamplesTheNearestNodesActions) {
+  const Hierarchy hierarchy = two_ways();
+  Found found;
+  found.matched = true;
+  found.best = {.node = 0, .distance = 1.0F};
+  found.candidates = {found.best};
+  Responder responder(hierarchy, Eigen::Matrix2d::Identity(), {.choose = "sample"}, Random(1));
+  double mean = 0.0;
+  double square = 0.0;
+  constexpr int kDraws = 4000;
+  for (int i = 0; i < kDraws; ++i) {
+    const double turn = responder.respond(found).x();
+    mean += turn / kDraws;
+    square += turn * turn / kDraws;
+  }
+  EXPECT_NEAR(mean, hierarchy.action_mean(0)[0], 0.05);
+  EXPECT_NEAR(square, 0.64, 0.05);
+}
+
+TEST(ResponseConfig, KnowsTwoWays) {
+  EXPECT_NO_THROW(ResponseConfig{.choose = "sample"}.validate());
+  EXPECT_THROW(ResponseConfig{.choose = "guess"}.validate(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace pacer::exemplar
