@@ -139,8 +139,8 @@ void draw_node(cv::Mat image, const Hierarchy& hierarchy, NodeId node, double sc
   const std::size_t step = (members.size() + kMost - 1) / kMost;
   cv::Mat view = image.rowRange(0, image.rows - kArrows);
   view.setTo(cv::Scalar(30, 36, 45));
-  const double alpha =
-      std::max(0.06, 0.9 / std::sqrt(static_cast<double>((members.size() + step - 1) / step)));
+  const std::size_t drawn = (members.size() + step - 1) / step;
+  const double alpha = std::max(0.06, 0.9 / std::sqrt(static_cast<double>(drawn)));
   cv::Mat layer;
   const cv::Point foot(image.cols / 2, image.rows - 6);
   for (std::size_t i = 0; i < members.size(); i += step) {

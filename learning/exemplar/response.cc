@@ -42,7 +42,7 @@ Responder::Responder(const Hierarchy& hierarchy, const Eigen::Matrix2d& drift,
 
 Action Responder::respond(const Found& found) {
   // Where not even the root matches there is one hypothesis: anything that was ever done.
-  const Action action = consistent_ && found.matched ? consistent(found) : sample(found);
+  Action action = consistent_ && found.matched ? consistent(found) : sample(found);
   before_ = action;
   return action;
 }
