@@ -17,7 +17,6 @@ Correspondence::Correspondence(const Exemplars& exemplars) {
   // shares of colour by a twentieth.
   Features floor;
   floor << 0.2, 4.0, 4.0, 0.2, 0.1, 0.2, 0.05, 0.05, 0.2;
-  constexpr double kSlack = 1.5;  // of the farthest exemplar's distance
   for (std::size_t k = 0; k < kNames; ++k) {
     std::vector<Features> seen;
     for (std::size_t n = 0; n < exemplars.size(); ++n) {
@@ -34,12 +33,17 @@ Correspondence::Correspondence(const Exemplars& exemplars) {
       covariance += (one - kind.mean) * (one - kind.mean).transpose() / count;
     }
     kind.inverse = covariance.inverse();
+    // What fits is what 49 in 50 exemplars are within: the odd one was something else.
+    constexpr double kFitting = 0.98;
+    std::vector<double> distances;
     for (const Features& one : seen) {
       const Features off = one - kind.mean;
-      kind.farthest = std::max(kind.farthest, kSlack * off.dot(kind.inverse * off));
+      distances.push_back(off.dot(kind.inverse * off));
     }
-    // One exemplar, or a few alike, say little about how far others may be.
-    kind.farthest = std::max(kind.farthest, 3.0 * static_cast<double>(kBalloonValues));
+    std::ranges::sort(distances);
+    const auto last = static_cast<std::size_t>(kFitting * (count - 1.0));
+    // A few that are alike say little about how far others may be.
+    kind.farthest = std::max(distances[last], 2.0 * static_cast<double>(kBalloonValues));
   }
 }
 

@@ -71,13 +71,15 @@ Action Responder::consistent(const Found& found) {
   for (const Candidate& candidate : found.candidates) {
     const auto distance = static_cast<double>(candidate.distance);
     const Action action(hierarchy_.action_mean(candidate.node).data());
-    double cost = (distance * distance - least) / unit;
+    double weight = std::exp(-0.5 * (distance * distance - least) / unit);
     if (before_) {
+      // Now and then all is new: the balloon comes into view on the other side.
+      constexpr double kNew = 0.1;
       const Action change = action - *before_;
-      cost += change.dot(inverse_drift_ * change);
+      weight *= kNew + (1.0 - kNew) * std::exp(-0.5 * change.dot(inverse_drift_ * change));
     }
     actions_.push_back(action);
-    weights_.push_back(std::exp(-0.5 * cost));
+    weights_.push_back(weight);
   }
   // The mean of those that agree with the one that most agree with.
   constexpr double kAgree = 0.15;  // stick

@@ -53,6 +53,26 @@ TEST(Responder, KeepsToOneOfTwoWaysThatAreAsLikely) {
   }
 }
 
+TEST(Responder, TurnsRoundWhereThePerceptIsClear) {
+  std::vector<double> percepts;
+  std::vector<double> actions;
+  Random random(5);
+  for (int n = 0; n < 40; ++n) {
+    const double side = n % 8 == 0 ? -1.0 : 1.0;  // one way is rare
+    percepts.insert(percepts.end(),
+                    {5.0 * side + random.normal(0.0, 0.3), random.normal(0.0, 1.0)});
+    actions.insert(actions.end(), {0.9 * side + random.normal(0.0, 0.02), 0.3});
+  }
+  const Hierarchy hierarchy(Exemplars(2, 2, percepts, actions), HierarchyConfig{});
+  Searcher searcher(hierarchy);
+  Responder responder(hierarchy, 0.02 * Eigen::Matrix2d::Identity(), {.choose = "consistent"},
+                      Random(1));
+  for (const double side : {1.0, 1.0, -1.0, 1.0}) {
+    const std::vector<double> percept = {5.1 * side, 0.1};
+    EXPECT_GT(side * responder.respond(searcher.find(percept, 1e3)).x(), 0.7);
+  }
+}
+
 TEST(Responder, SamplesTheNearestNodesActions) {
   const Hierarchy hierarchy = two_ways();
   Found found;
