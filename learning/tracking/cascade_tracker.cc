@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/check.h"
-
 namespace pacer::tracking {
 namespace {
 
@@ -43,31 +41,6 @@ void outline(const Similarity& pose, double across, double down, Tone tone,
 
 }  // namespace
 
-void CascadeConfig::validate() const {
-  require(search_side >= 1.5 && search_side <= 10.0, "search_side must be 1.5 to 10");
-  require(aspect_side >= 1.0 && aspect_side <= 4.0, "aspect_side must be 1 to 4");
-  filter.validate();
-  predictor.validate();
-  memory.validate();
-  require(rounds >= 1 && rounds <= 20, "rounds must be 1 to 20");
-  require(gain > 0.0 && gain <= 1.0, "gain must be above 0, and 1 at most");
-  require(better >= 1.0, "better must be 1 or more");
-  require(rescale > 1.0 && rescale <= 2.0, "rescale must be above 1, and 2 at most");
-  require(rescale_better >= 1.0, "rescale_better must be 1 or more");
-  require(doubtful >= 0.0 && doubtful <= 1.0, "doubtful must be 0 to 1");
-  require(beside >= 1.0, "beside must be 1 or more");
-  require(habit > 0.0 && habit <= 1.0, "habit must be above 0, and 1 at most");
-  require(std::isfinite(bias) && std::isfinite(by_answer), "bias and by_answer must be finite");
-  require(familiar > 0.0 && familiar <= 1.0, "familiar must be above 0, and 1 at most");
-  require(lost_below >= 0.0 && lost_below < 1.0, "lost_below must be 0 to 1");
-  require(patience >= 1, "patience must be 1 or more");
-  require(probes >= 1, "probes must be 1 or more");
-  require(recognised >= 0.0, "recognised must not be negative");
-  require(rate > 0.0 && rate <= 1.0, "rate must be above 0, and 1 at most");
-  require(unlike < alike && alike <= 1.0, "unlike must lie below alike, and alike at 1 at most");
-  require(new_aspect_above < new_aspect_below, "new_aspect_above must lie below new_aspect_below");
-}
-
 CascadeTracker::CascadeTracker(const CascadeConfig& config, std::uint64_t seed)
     : config_(config),
       random_(Random(seed).fork("cascade")),
@@ -91,14 +64,15 @@ Similarity CascadeTracker::in_samples(const Similarity& pose, double unit) const
   return sampled;
 }
 
-void CascadeTracker::look_around(const cv::Mat1b& image, const Similarity& pose) {
+void CascadeTracker::look_around(const cv::Mat1b& image, const Similarity& pose,
+                                 FeatureMap& spectrum) {
   const Similarity sampled = in_samples(pose, search_unit_);
   if (!pyramid_.covers(sampled, search_patch_.side)) {
     pyramid_.take(image, sampled, search_patch_.side, kSlack);
   }
   pyramid_.sample(sampled, search_patch_);
-  features_.describe(search_patch_, spectrum_);
-  transform(spectrum_);
+  features_.describe(search_patch_, spectrum);
+  transform(spectrum);
 }
 
 void CascadeTracker::look_at(const cv::Mat1b& image, const Similarity& pose) {
@@ -118,11 +92,10 @@ void CascadeTracker::begin(const Picture& picture, const Box& target) {
   search_unit_ = std::max(config_.search_side * side, longest) / GradientFeatures::kSide;
   aspect_unit_ = std::max(config_.aspect_side * side, longest) / kAspectSide;
 
-  const double cell = search_unit_ * GradientFeatures::kCell;
-  filter_.emplace(config_.filter, width_ / cell, height_ / cell);
+  filter_.emplace(config_.filter, width_ / cell(), height_ / cell());
   trainer_.emplace(config_.predictor, width_ / aspect_unit_, height_ / aspect_unit_, random_);
   pyramid_.forget();
-  look_around(picture.grey, pose_);
+  look_around(picture.grey, pose_, spectrum_);
   filter_->learn(spectrum_, 1.0);
   first_answer_ = std::max(filter_->locate(spectrum_).value, 1e-6);  // of a flat picture: none
   usual_ = first_answer_;
@@ -156,15 +129,16 @@ PoseChange CascadeTracker::refine() {
   return best;
 }
 
-CascadeTracker::Sighting CascadeTracker::locate(const cv::Mat1b& image, const Similarity& pose) {
-  look_around(image, pose);
-  const Peak peak = filter_->locate(spectrum_);
-  const double cell = search_unit_ * GradientFeatures::kCell;
-  return {.pose = placed(image, pose.moved(peak.x * cell, peak.y * cell)), .answer = peak.value};
+CascadeTracker::Sighting CascadeTracker::locate(const cv::Mat1b& image, const Similarity& pose,
+                                                FeatureMap& spectrum) {
+  look_around(image, pose, spectrum);
+  const Peak peak = filter_->locate(spectrum);
+  return {.pose = placed(image, pose.moved(peak.x * cell(), peak.y * cell())),
+          .answer = peak.value};
 }
 
 CascadeTracker::Sighting CascadeTracker::search(const cv::Mat1b& image) {
-  const Sighting here = locate(image, pose_);
+  const Sighting here = locate(image, pose_, spectrum_);
   if (here.answer >= config_.doubtful * usual_) return here;
   Sighting best = here;
   const double stride = 0.25 * search_unit_ * pose_.scale * GradientFeatures::kSide;
@@ -174,11 +148,19 @@ CascadeTracker::Sighting CascadeTracker::search(const cv::Mat1b& image) {
       there.x += across;
       there.y += down;
       if ((across == 0.0 && down == 0.0) || !lies_in(there, image)) continue;
-      const Sighting other = locate(image, there);
+      const Sighting other = locate(image, there, spectrum_);
       if (other.answer > best.answer) best = other;
     }
   }
   return best.answer >= config_.beside * here.answer ? best : here;
+}
+
+bool CascadeTracker::matters(const PoseChange& change) const {
+  constexpr double kPlace = 0.2;   // cells
+  constexpr float kShape = 0.01F;  // of the scale, radians
+  const double moved = static_cast<double>(std::hypot(change[kAcross], change[kDown]));
+  return moved * aspect_unit_ > kPlace * cell() || std::abs(change[kLogScale]) > kShape ||
+         std::abs(change[kAngle]) > kShape;
 }
 
 double CascadeTracker::trust() const {
@@ -190,35 +172,40 @@ bool CascadeTracker::recognised(double answer) const {
   return answer >= config_.recognised * usual_;
 }
 
-double CascadeTracker::settle(const cv::Mat1b& image, const Sighting& sighted) {
-  // Once more with the target in the middle of its region, whose border is faded: answers compare.
-  const Sighting found = locate(image, sighted.pose);
+Similarity CascadeTracker::choose(const cv::Mat1b& image, const Sighting& found) {
   look_at(image, found.pose);
   const PoseChange change = refine() * static_cast<float>(trust());
-  if (static_cast<double>(likeness_) > config_.unlike) {
+  if (static_cast<double>(likeness_) > config_.unlike && matters(change)) {
     // What the aspect proposes has to please the filter, which knows the background too.
     Similarity proposed =
         placed(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
                                        static_cast<double>(change[kDown]) * aspect_unit_));
     proposed = rescaled(proposed, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
     proposed.angle += config_.gain * static_cast<double>(change[kAngle]);
-    look_around(image, proposed);
-    if (filter_->answer(spectrum_) >= config_.better * found.answer) {
-      pose_ = proposed;
-      return found.answer;
-    }
+    look_around(image, proposed, spectrum_);
+    if (filter_->answer(spectrum_) >= config_.better * found.answer) return proposed;
   }
   // Larger and smaller in turn: a target grows for longer than a picture.
   larger_ = !larger_;
   const double step = larger_ ? config_.rescale : 1.0 / config_.rescale;
-  const Sighting other = locate(image, rescaled(found.pose, step));
-  pose_ = other.answer >= config_.rescale_better * found.answer ? other.pose : found.pose;
-  look_around(image, pose_);
+  const Sighting other = locate(image, rescaled(found.pose, step), spectrum_);
+  return other.answer >= config_.rescale_better * found.answer ? other.pose : found.pose;
+}
+
+double CascadeTracker::settle(const cv::Mat1b& image, const Sighting& sighted) {
+  // Once more with the target in the middle of its region, whose border is faded: answers compare.
+  const Sighting found = locate(image, sighted.pose, centred_);
+  pose_ = choose(image, found);
+  constexpr double kStill = 0.05;  // cells
+  const double moved = std::hypot(pose_.x - sighted.pose.x, pose_.y - sighted.pose.y);
+  const bool seen = pose_.scale == sighted.pose.scale && pose_.angle == sighted.pose.angle &&
+                    moved <= kStill * cell() * pose_.scale;
+  if (!seen) look_around(image, pose_, centred_);
   return found.answer;
 }
 
 bool CascadeTracker::is_back(const cv::Mat1b& image, const Similarity& where) {
-  const Sighting found = locate(image, where);
+  const Sighting found = locate(image, where, spectrum_);
   if (!recognised(found.answer)) return false;
   look_at(image, found.pose);
   (void)refine();
@@ -245,7 +232,7 @@ bool CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
 
 void CascadeTracker::learn(const cv::Mat1b& image, double answer) {
   if (!recognised(answer)) return;
-  filter_->learn(spectrum_, config_.rate);
+  filter_->learn(centred_, config_.rate);
   memory_.use(matched_);
   const double likeness = static_cast<double>(likeness_);
   if (likeness < config_.new_aspect_below && likeness > config_.new_aspect_above) {

@@ -62,9 +62,9 @@ PACER_INLINE void butterfly4(ComplexLanes& a, ComplexLanes& b, ComplexLanes& c, 
 }
 
 /// The transform of a line of kGrid = 4 x 4 x 2 numbers a lane, decimated in time: `line` is in
-/// reversed order, and becomes the transform in order.
+/// reversed order and is overwritten; the transform goes in order to `into`, `stride` apart.
 template <bool kBack>
-PACER_INLINE void transform_line(ComplexLanes* line) {
+PACER_INLINE void transform_line(ComplexLanes* line, ComplexLanes* into, std::size_t stride) {
   const auto twiddle = [](std::size_t n) {
     return kBack ? std::conj(kTwiddles[n % kGrid]) : kTwiddles[n % kGrid];
   };
@@ -82,10 +82,8 @@ PACER_INLINE void transform_line(ComplexLanes* line) {
     }
   }
   for (std::size_t k = 0; k < 16; ++k) {
-    ComplexLanes& low = line[k];
-    ComplexLanes& high = line[k + 16];
-    if (k > 0) turn(high, twiddle(k));
-    add_and_subtract(low, high, low, high);
+    if (k > 0) turn(line[k + 16], twiddle(k));
+    add_and_subtract(line[k], line[k + 16], into[k * stride], into[(k + 16) * stride]);
   }
 }
 
@@ -93,8 +91,7 @@ template <bool kBack>
 PACER_INLINE void transform_row(ComplexLanes* row) {
   std::array<ComplexLanes, kGrid> line;
   for (std::size_t i = 0; i < kGrid; ++i) line[kReversed[i]] = row[i];
-  transform_line<kBack>(line.data());
-  for (std::size_t i = 0; i < kGrid; ++i) row[i] = line[i];
+  transform_line<kBack>(line.data(), row, 1);
 }
 
 template <bool kBack>
@@ -103,8 +100,7 @@ PACER_INLINE void transform_column(ComplexLanes* column, std::size_t first, std:
   for (std::size_t i = 0; i < kGrid; ++i) {
     line[kReversed[i]] = i >= first && i < last ? column[i * kStride] : ComplexLanes();
   }
-  transform_line<kBack>(line.data());
-  for (std::size_t i = 0; i < kGrid; ++i) column[i * kStride] = line[i];
+  transform_line<kBack>(line.data(), column, kStride);
 }
 
 PACER_INLINE void forward_body(ComplexLanes* cells, const CellRange& filled) {
@@ -192,7 +188,7 @@ PACER_INLINE void plane_back_body(std::complex<float>* plane, float* into) {
           values.im[lane] = plane[r * kGrid + block * kLanes + lane].imag();
         }
       }
-      transform_line<true>(line.data());
+      transform_line<true>(line.data(), line.data(), 1);
       for (std::size_t r = 0; r < kGrid; ++r) {
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
           turned[(block * kLanes + lane) * kGrid + r] = {line[r].re[lane], line[r].im[lane]};
