@@ -24,4 +24,14 @@ inline void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
+/// Validates a config's section; what it throws gains the section's name.
+template <class Section>
+void validate_section(const char* name, const Section& section) {
+  try {
+    section.validate();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(name) + "." + error.what());
+  }
+}
+
 }  // namespace pacer

@@ -9,7 +9,7 @@
 
 #include "learning/tracking/flock.h"
 #include "learning/tracking/lucas_kanade.h"
-#include "studies/convergence_test.h"
+#include "studies/convergence_trial.h"
 
 // What chapter 3 puts side by side, with the settings of its tests (3.2.1).
 namespace pacer::chapter3 {

@@ -8,9 +8,10 @@
 
 namespace pacer::chapter5 {
 
-exemplar::DemonstratedExemplars demonstrated(const StudyContext& context) {
+exemplar::DemonstratedExemplars demonstrated(const StudyContext& context,
+                                             std::uint64_t demonstrations) {
   const dataset::RecordedDemonstration demonstration(
-      Materials(context).recording(Purpose::kCollect, kDemonstrations));
+      Materials(context).recording(Purpose::kCollect, demonstrations));
   TrainingOptions options;
   options.stop = context.control.stop;
   return exemplar::exemplars_of(demonstration, context.scenario.exemplar.percept, options);

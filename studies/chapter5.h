@@ -12,8 +12,9 @@ namespace pacer::chapter5 {
 
 inline constexpr std::uint64_t kDemonstrations = 20;  ///< 5.3.1
 
-/// The exemplars of the demonstrations, recorded if need be.
-[[nodiscard]] exemplar::DemonstratedExemplars demonstrated(const StudyContext& context);
+/// The exemplars of so many demonstrations, recorded if need be.
+[[nodiscard]] exemplar::DemonstratedExemplars demonstrated(
+    const StudyContext& context, std::uint64_t demonstrations = kDemonstrations);
 
 /// The length of the difference of two actions (5.9), in percent of full stick.
 [[nodiscard]] double prediction_error(std::span<const double> predicted,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runs/report/charts.h"
-#include "studies/convergence_test.h"
+#include "studies/convergence_trial.h"
 
 namespace pacer {
 

@@ -19,13 +19,7 @@ void ResponseConfig::validate() const {
 void AffordanceConfig::validate() const {
   // Every section in turn; the message gains the section's name.
   AffordanceConfig copy = *this;
-  copy.fields([](const char* name, auto& section) {
-    try {
-      section.validate();
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(std::string(name) + "." + error.what());
-    }
-  });
+  copy.fields([](const char* name, auto& section) { validate_section(name, section); });
 }
 
 }  // namespace pacer::affordance

@@ -41,13 +41,13 @@ bool solve(Eigen::MatrixXf& gram, Eigen::MatrixXf& right) {
 }  // namespace
 
 void PosePredictorConfig::validate() const {
-  require(side >= 2 && side <= 64, "side must be 2 to 64");
-  require(cover > 0.0 && cover <= 2.0, "cover must be above 0, and 2 at most");
-  require(samples >= 4 && samples <= 4096, "samples must be 4 to 4096");
-  require(shift_range > 0.0 && shift_range <= 1.0, "shift_range must be above 0, and 1 at most");
-  require(scale_range > 0.0 && scale_range <= 1.0, "scale_range must be above 0, and 1 at most");
-  require(angle_range > 0.0 && angle_range <= 1.0, "angle_range must be above 0, and 1 at most");
-  require(ridge > 0.0 && ridge <= 1e3, "ridge must be above 0, and 1000 at most");
+  require(side >= 2 && side <= 64, "side: must be 2 to 64");
+  require(cover > 0.0 && cover <= 2.0, "cover: must be above 0, and 2 at most");
+  require(samples >= 4 && samples <= 4096, "samples: must be 4 to 4096");
+  require(shift_range > 0.0 && shift_range <= 1.0, "shift_range: must be above 0, and 1 at most");
+  require(scale_range > 0.0 && scale_range <= 1.0, "scale_range: must be above 0, and 1 at most");
+  require(angle_range > 0.0 && angle_range <= 1.0, "angle_range: must be above 0, and 1 at most");
+  require(ridge > 0.0 && ridge <= 1e3, "ridge: must be above 0, and 1000 at most");
 }
 
 AspectTrainer::AspectTrainer(const PosePredictorConfig& config, double width, double height,

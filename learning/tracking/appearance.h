@@ -24,17 +24,6 @@ struct PosePredictorConfig {
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
-
-  template <class Visitor>
-  void fields(Visitor&& visit) {
-    visit("side", side);
-    visit("cover", cover);
-    visit("samples", samples);
-    visit("shift_range", shift_range);
-    visit("scale_range", scale_range);
-    visit("angle_range", angle_range);
-    visit("ridge", ridge);
-  }
 };
 
 /// An aspect of the target, and the linear predictor that belongs to it: (3.6) with a normalised

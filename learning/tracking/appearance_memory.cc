@@ -8,8 +8,8 @@
 namespace pacer::tracking {
 
 void AppearanceMemoryConfig::validate() const {
-  require(aspects >= 2 && aspects <= 1000, "aspects must be 2 to 1000");
-  require(distrust >= 0.0 && distrust <= 1.0, "distrust must be 0 to 1");
+  require(aspects >= 2 && aspects <= 1000, "aspects: must be 2 to 1000");
+  require(distrust >= 0.0 && distrust <= 1.0, "distrust: must be 0 to 1");
 }
 
 AppearanceMemory::AppearanceMemory(const AppearanceMemoryConfig& config) : config_(config) {

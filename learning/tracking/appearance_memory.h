@@ -15,12 +15,6 @@ struct AppearanceMemoryConfig {
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
-
-  template <class Visitor>
-  void fields(Visitor&& visit) {
-    visit("aspects", aspects);
-    visit("distrust", distrust);
-  }
 };
 
 /// The aspects of a target so far. An aspect is learnt where another one put the target, mistakes

@@ -15,10 +15,13 @@ struct CascadeConfig {
   CorrelationFilterConfig filter;
   PosePredictorConfig predictor;
   AppearanceMemoryConfig memory;
-  int rounds = 2;         ///< of the pose predictor in a frame
-  double gain = 0.6;      ///< share of a change of scale or angle that is followed at once
-  double unlike = 0.5;    ///< likeness at which an aspect's predictor counts for nothing
-  double alike = 0.85;    ///< likeness from which on it counts in full
+  double still = 0.05;          ///< cells that the target may be off the middle of what is learnt
+  int rounds = 2;               ///< of the pose predictor in a frame
+  double gain = 0.6;            ///< share of a change of scale or angle that is followed at once
+  double unlike = 0.5;          ///< likeness at which an aspect's predictor counts for nothing
+  double alike = 0.85;          ///< likeness from which on it counts in full
+  double least_shift = 0.2;     ///< cells: what an aspect proposes is tried from there on, or from
+  double least_change = 0.006;  ///< such a change of the logarithm of scale, or of angle
   double better = 1.03;   ///< by which the filter must answer more for an aspect's change to stand
   double rescale = 1.02;  ///< step of scale, up and down in turn, that is tried where it does not
   double rescale_better = 1.005;  ///< by which the filter must answer more for such a step
@@ -41,35 +44,6 @@ struct CascadeConfig {
 
   /// Throws std::invalid_argument, naming section and field.
   void validate() const;
-
-  template <class Visitor>
-  void fields(Visitor&& visit) {
-    visit("search_side", search_side);
-    visit("aspect_side", aspect_side);
-    visit("filter", filter);
-    visit("predictor", predictor);
-    visit("memory", memory);
-    visit("rounds", rounds);
-    visit("gain", gain);
-    visit("unlike", unlike);
-    visit("alike", alike);
-    visit("better", better);
-    visit("rescale", rescale);
-    visit("rescale_better", rescale_better);
-    visit("doubtful", doubtful);
-    visit("beside", beside);
-    visit("rate", rate);
-    visit("habit", habit);
-    visit("familiar", familiar);
-    visit("bias", bias);
-    visit("by_answer", by_answer);
-    visit("lost_below", lost_below);
-    visit("patience", patience);
-    visit("probes", probes);
-    visit("recognised", recognised);
-    visit("new_aspect_below", new_aspect_below);
-    visit("new_aspect_above", new_aspect_above);
-  }
 };
 
 }  // namespace pacer::tracking

@@ -25,6 +25,12 @@ Similarity rescaled(Similarity pose, double by) {
   return pose;
 }
 
+/// `pose` in pixels a sample of a patch whose samples are `unit` apart on the first target.
+Similarity in_samples(Similarity pose, double unit) {
+  pose.scale *= unit;
+  return pose;
+}
+
 /// The outline of what lies up to `across` and `down` from a pose, pixels of its frame.
 void outline(const Similarity& pose, double across, double down, Tone tone,
              Annotations& annotations) {
@@ -58,12 +64,6 @@ Similarity CascadeTracker::placed(const cv::Mat1b& image, Similarity pose) const
   return pose;
 }
 
-Similarity CascadeTracker::in_samples(const Similarity& pose, double unit) const {
-  Similarity sampled = pose;
-  sampled.scale *= unit;
-  return sampled;
-}
-
 void CascadeTracker::look_around(const cv::Mat1b& image, const Similarity& pose,
                                  FeatureMap& spectrum) {
   const Similarity sampled = in_samples(pose, search_unit_);
@@ -87,10 +87,10 @@ void CascadeTracker::begin(const Picture& picture, const Box& target) {
   width_ = target.width;
   height_ = target.height;
   pose_ = {.x = target.x, .y = target.y, .scale = 1.0, .angle = 0.0};
-  const double side = std::sqrt(target.area());
+  side_ = std::sqrt(target.area());
   const double longest = kRoom * std::max(width_, height_);
-  search_unit_ = std::max(config_.search_side * side, longest) / GradientFeatures::kSide;
-  aspect_unit_ = std::max(config_.aspect_side * side, longest) / kAspectSide;
+  search_unit_ = std::max(config_.search_side * side_, longest) / GradientFeatures::kSide;
+  aspect_unit_ = std::max(config_.aspect_side * side_, longest) / kAspectSide;
 
   filter_.emplace(config_.filter, width_ / cell(), height_ / cell());
   trainer_.emplace(config_.predictor, width_ / aspect_unit_, height_ / aspect_unit_, random_);
@@ -141,7 +141,7 @@ CascadeTracker::Sighting CascadeTracker::search(const cv::Mat1b& image) {
   const Sighting here = locate(image, pose_, spectrum_);
   if (here.answer >= config_.doubtful * usual_) return here;
   Sighting best = here;
-  const double stride = 0.25 * search_unit_ * pose_.scale * GradientFeatures::kSide;
+  const double stride = side_ * pose_.scale;
   for (const double down : {-stride, 0.0, stride}) {
     for (const double across : {-stride, 0.0, stride}) {
       Similarity there = pose_;
@@ -155,12 +155,11 @@ CascadeTracker::Sighting CascadeTracker::search(const cv::Mat1b& image) {
   return best.answer >= config_.beside * here.answer ? best : here;
 }
 
-bool CascadeTracker::matters(const PoseChange& change) const {
-  constexpr double kPlace = 0.2;   // cells
-  constexpr float kShape = 0.01F;  // of the scale, radians
-  const double moved = static_cast<double>(std::hypot(change[kAcross], change[kDown]));
-  return moved * aspect_unit_ > kPlace * cell() || std::abs(change[kLogScale]) > kShape ||
-         std::abs(change[kAngle]) > kShape;
+bool CascadeTracker::worth_trying(const Similarity& proposed, const Similarity& found) const {
+  const double shift = std::hypot(proposed.x - found.x, proposed.y - found.y);
+  const double change = std::max(std::abs(std::log(proposed.scale / found.scale)),
+                                 std::abs(proposed.angle - found.angle));
+  return shift > config_.least_shift * cell() * found.scale || change > config_.least_change;
 }
 
 double CascadeTracker::trust() const {
@@ -175,15 +174,17 @@ bool CascadeTracker::recognised(double answer) const {
 Similarity CascadeTracker::choose(const cv::Mat1b& image, const Sighting& found) {
   look_at(image, found.pose);
   const PoseChange change = refine() * static_cast<float>(trust());
-  if (static_cast<double>(likeness_) > config_.unlike && matters(change)) {
+  if (static_cast<double>(likeness_) > config_.unlike) {
     // What the aspect proposes has to please the filter, which knows the background too.
     Similarity proposed =
         placed(image, found.pose.moved(static_cast<double>(change[kAcross]) * aspect_unit_,
                                        static_cast<double>(change[kDown]) * aspect_unit_));
     proposed = rescaled(proposed, std::exp(config_.gain * static_cast<double>(change[kLogScale])));
     proposed.angle += config_.gain * static_cast<double>(change[kAngle]);
-    look_around(image, proposed, spectrum_);
-    if (filter_->answer(spectrum_) >= config_.better * found.answer) return proposed;
+    if (worth_trying(proposed, found.pose)) {
+      look_around(image, proposed, spectrum_);
+      if (filter_->answer(spectrum_) >= config_.better * found.answer) return proposed;
+    }
   }
   // Larger and smaller in turn: a target grows for longer than a picture.
   larger_ = !larger_;
@@ -196,10 +197,9 @@ double CascadeTracker::settle(const cv::Mat1b& image, const Sighting& sighted) {
   // Once more with the target in the middle of its region, whose border is faded: answers compare.
   const Sighting found = locate(image, sighted.pose, centred_);
   pose_ = choose(image, found);
-  constexpr double kStill = 0.05;  // cells
   const double moved = std::hypot(pose_.x - sighted.pose.x, pose_.y - sighted.pose.y);
   const bool seen = pose_.scale == sighted.pose.scale && pose_.angle == sighted.pose.angle &&
-                    moved <= kStill * cell() * pose_.scale;
+                    moved <= config_.still * cell() * pose_.scale;
   if (!seen) look_around(image, pose_, centred_);
   return found.answer;
 }
@@ -211,12 +211,15 @@ bool CascadeTracker::is_back(const cv::Mat1b& image, const Similarity& where) {
   (void)refine();
   if (static_cast<double>(likeness_) < config_.alike) return false;
   pose_ = found.pose;
+  lost_ = false;
+  doubtful_ = 0;
   return true;
 }
 
 bool CascadeTracker::look_elsewhere(const cv::Mat1b& image) {
   if (is_back(image, pose_)) return true;
-  const double stride = 0.5 * search_unit_ * pose_.scale * GradientFeatures::kSide;
+  constexpr double kOverlap = 0.5;  // of one region with the next
+  const double stride = kOverlap * search_unit_ * pose_.scale * GradientFeatures::kSide;
   const auto columns = static_cast<std::size_t>(std::ceil(image.cols / stride));
   const auto rows = static_cast<std::size_t>(std::ceil(image.rows / stride));
   for (int probe = 0; probe < config_.probes; ++probe) {

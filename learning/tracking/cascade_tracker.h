@@ -16,7 +16,7 @@ namespace pacer::tracking {
 
 /// LP-CASCADE: predictors of several ranges in sequence. A correlation filter over the region
 /// around the target finds it wherever it went; the affine predictor of the aspect that is seen
-/// then proposes its position to a fraction of a pixel, its scale and its rotation, and the filter,
+/// then proposes a better position, scale and rotation, and the filter,
 /// which knows the background too, has to agree (docs/design/cascade.md).
 class CascadeTracker final : public Tracker {
  public:
@@ -31,8 +31,6 @@ class CascadeTracker final : public Tracker {
 
   /// `pose`, moved to where its box touches the image.
   [[nodiscard]] Similarity placed(const cv::Mat1b& image, Similarity pose) const;
-  /// `pose_` in pixels a sample of a patch whose samples are `unit` apart on the first target.
-  [[nodiscard]] Similarity in_samples(const Similarity& pose, double unit) const;
   /// Pixels of a cell of the region, at scale 1.
   [[nodiscard]] double cell() const { return search_unit_ * GradientFeatures::kCell; }
   /// Features of the region around `pose`, transformed.
@@ -54,14 +52,16 @@ class CascadeTracker final : public Tracker {
   [[nodiscard]] PoseChange refine();
   /// How far what the aspect says is to be believed, in [0, 1].
   [[nodiscard]] double trust() const;
-  /// Would the filter notice such a change?
-  [[nodiscard]] bool matters(const PoseChange& change) const;
+  /// Is it enough of a change that the filter might like it better? Hardly any smaller one is
+  /// liked better, and each costs a look.
+  [[nodiscard]] bool worth_trying(const Similarity& proposed, const Similarity& found) const;
   /// From where the filter found the target to its pose, by predictors of shorter ranges.
   [[nodiscard]] Similarity choose(const cv::Mat1b& image, const Sighting& found);
-  /// The same with the target in the middle, which then is what `centred_` shows. Returns the
-  /// filter's answer where it was found.
+  /// Moves `pose_` to where the target is, and leaves in `centred_` what the filter may learn: the
+  /// region with the target in the middle. Returns the filter's answer where it was found.
   [[nodiscard]] double settle(const cv::Mat1b& image, const Sighting& sighted);
-  /// Do both filter and aspect know the target in the region around `where`? `pose_` then is there.
+  /// Do both filter and aspect know the target in the region around `where`? `pose_` then is there,
+  /// and the target no longer lost.
   [[nodiscard]] bool is_back(const cv::Mat1b& image, const Similarity& where);
   /// Looks for a lost target where it was, and in the next places of the picture.
   [[nodiscard]] bool look_elsewhere(const cv::Mat1b& image);
@@ -75,6 +75,7 @@ class CascadeTracker final : public Tracker {
   const Random random_;  // copied at every start, so that starts repeat
 
   double width_ = 0.0, height_ = 0.0;  // of the first target, pixels
+  double side_ = 0.0;                  // the root of its area
   double search_unit_ = 1.0;           // pixels from sample to sample of search_patch_
   double aspect_unit_ = 1.0;           // and of aspect_patch_
   Similarity pose_;                    // of the target; scale 1 is the first one's
@@ -86,7 +87,7 @@ class CascadeTracker final : public Tracker {
   Patch search_patch_;
   Patch aspect_patch_;
   GradientFeatures features_;
-  FeatureMap spectrum_;  // of what was looked at last
+  FeatureMap spectrum_;  // of what is looked at on the way
   FeatureMap centred_;   // of the region around the target
   Eigen::VectorXf seen_;
   std::size_t matched_ = 0;    // aspect

@@ -15,7 +15,9 @@ void PredictorConfig::validate() const {
   require(support_range >= 0.0 && support_range <= 500.0, "support_range: must be 0 to 500 pixels");
   require(training_range >= 1.0 && training_range <= 500.0,
           "training_range: must be 1 to 500 pixels");
-  require(ridge > 0.0 && ridge <= 1e3, "ridge: must be above 0, and 1000 at most");
+  // With less, single precision could not tell a system of more samples than pixels from a
+  // singular one.
+  require(ridge >= 1e-5 && ridge <= 1e3, "ridge: must be 0.00001 to 1000");
 }
 
 void RegistrationConfig::validate() const {
@@ -41,11 +43,7 @@ void TrackingConfig::validate() const {
   TrackingConfig copy = *this;
   copy.fields([](const char* name, auto& section) {
     if constexpr (std::is_class_v<std::remove_reference_t<decltype(section)>>) {
-      try {
-        section.validate();
-      } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(std::string(name) + "." + error.what());
-      }
+      validate_section(name, section);
     }
   });
   require(template_pixels >= 4 && template_pixels <= 16384, "template_pixels: must be 4 to 16384");

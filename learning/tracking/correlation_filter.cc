@@ -30,10 +30,10 @@ double bell(std::size_t at, double spread) {
 }  // namespace
 
 void CorrelationFilterConfig::validate() const {
-  require(spread > 0.0 && spread <= 1.0, "spread must be above 0, and 1 at most");
-  require(ridge >= 0.0, "ridge must not be negative");
-  require(penalty > 0.0, "penalty must be above 0");
-  require(tightening >= 1.0, "tightening must be 1 or more");
+  require(spread > 0.0 && spread <= 1.0, "spread: must be above 0, and 1 at most");
+  require(ridge >= 0.0, "ridge: must not be negative");
+  require(penalty > 0.0, "penalty: must be above 0");
+  require(tightening >= 1.0, "tightening: must be 1 or more");
 }
 
 CorrelationFilter::CorrelationFilter(const CorrelationFilterConfig& config, double width,

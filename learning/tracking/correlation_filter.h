@@ -14,14 +14,6 @@ struct CorrelationFilterConfig {
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
-
-  template <class Visitor>
-  void fields(Visitor&& visit) {
-    visit("spread", spread);
-    visit("ridge", ridge);
-    visit("penalty", penalty);
-    visit("tightening", tightening);
-  }
 };
 
 /// The predictor of the longest range: a linear map from the features of a whole region to the

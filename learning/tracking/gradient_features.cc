@@ -100,7 +100,7 @@ PACER_INLINE FloatLanes orientations(const FloatLanes& directions) {
                                               0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// The same, the second half zero.
+/// The first eight; the second half zero.
 PACER_INLINE FloatLanes first_half(const FloatLanes& values) {
   return __builtin_shufflevector(values, FloatLanes{}, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20,
                                  21, 22, 23);

@@ -62,7 +62,8 @@ PACER_INLINE void butterfly4(ComplexLanes& a, ComplexLanes& b, ComplexLanes& c, 
 }
 
 /// The transform of a line of kGrid = 4 x 4 x 2 numbers a lane, decimated in time: `line` is in
-/// reversed order and is overwritten; the transform goes in order to `into`, `stride` apart.
+/// reversed order and is overwritten; the transform goes in order to `into`, `stride` apart (with
+/// stride 1, `into` may be `line`).
 template <bool kBack>
 PACER_INLINE void transform_line(ComplexLanes* line, ComplexLanes* into, std::size_t stride) {
   const auto twiddle = [](std::size_t n) {

@@ -137,6 +137,7 @@ TrackingRun track_live(const tracking::TrackerKind& kind, dataset::PictureSource
   }
   cv::destroyAllWindows();
   run.sequence_error = chunks.error();
+  run.whole = !stop.stop_requested();
   return run;
 }
 

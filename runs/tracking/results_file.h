@@ -19,10 +19,6 @@ namespace pacer {
 /// digits: a thousandth of a pixel, however large the picture.
 [[nodiscard]] std::string results_text(std::size_t first, std::span<const tracking::Track> tracks);
 
-/// What results_text() (or OTB) wrote, with commas, tabs or blanks between numbers; none for a line
-/// that holds a NaN. Throws std::runtime_error naming the file, the line and what is wrong.
-[[nodiscard]] std::vector<std::optional<Box>> read_results(const std::filesystem::path& file);
-
 /// Where the results of runs go: one file, or a folder with TRACKER/TARGET.txt for each.
 class ResultFiles {
  public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runs/tracking/run_tracker.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -86,6 +88,16 @@ class TargetRun {
     return !one_pass_.error().empty() && (truth_.empty() || one_pass_.tracks().empty());
   }
 
+  /// What is wrong with a sequence that ended now. Empty: nothing.
+  [[nodiscard]] std::string shortage() const {
+    if (one_pass_.tracks().empty() && one_pass_.error().empty()) {
+      return fmt::format("it ends before picture {}, on which trackers start",
+                         one_pass_.first() + 1);
+    }
+    if (seen_ >= truth_.size()) return {};
+    return fmt::format("it has {} pictures, its annotation {}", seen_, truth_.size());
+  }
+
   [[nodiscard]] TrackingRun result() const {
     TrackingRun run;
     run.first = one_pass_.first();
@@ -113,13 +125,15 @@ class TargetRun {
 
 TrackingRun run_over(TargetRun& target, PictureChunks& chunks, std::size_t most,
                      const std::stop_token& stop) {
-  while (!stop.stop_requested() && !target.over()) {
+  bool ended = false;
+  while (!ended && !stop.stop_requested() && !target.over()) {
     const std::span<const tracking::Picture> pictures = chunks.next(most);
-    if (pictures.empty()) break;
+    ended = pictures.empty();
     target.see(pictures, stop);
   }
   TrackingRun run = target.result();
   run.sequence_error = chunks.error();
+  if (ended && run.sequence_error.empty()) run.sequence_error = target.shortage();
   run.whole = !stop.stop_requested();
   return run;
 }

@@ -85,6 +85,47 @@ TEST(CascadeTracker, SaysThatItIsLostAndFindsTheTargetAgain) {
   EXPECT_GT(track.confidence, 0.7);
 }
 
+Track follow_a_pendulum(const CascadeConfig& config) {
+  const Stage stage;
+  CascadeTracker tracker(config, 1);
+  const auto x = [](int t) { return 160.0 + 60.0 * std::sin(0.4 * t); };
+  tracker.start(stage.with(x(0), 120.0), box_at(x(0), 120.0));
+  Track track;
+  for (int t = 1; t <= 60; ++t) track = tracker.update(stage.with(x(t), 120.0));
+  return track;
+}
+
+TEST(CascadeTracker, LearnsTheRegionAroundTheTargetAndNotWhereItWas) {
+  CascadeConfig exact;
+  exact.still = 0.0;
+  CascadeConfig careless;
+  careless.still = 1e9;
+  const Track track = follow_a_pendulum({});
+  EXPECT_LT(centre_distance(track.box, follow_a_pendulum(exact).box), 0.3);
+  EXPECT_LT(centre_distance(track.box, box_at(160.0 + 60.0 * std::sin(24.0), 120.0)), 1.0);
+  EXPECT_NE(track.box, follow_a_pendulum(careless).box);
+}
+
+TEST(CascadeTracker, TurnsOnlyByWhatAspectsPropose) {
+  const auto turned = [](double least_change) {
+    const Stage stage;
+    CascadeConfig config;
+    config.least_change = least_change;
+    config.least_shift = least_change > 1.0 ? 1e9 : config.least_shift;
+    CascadeTracker tracker(config, 1);
+    tracker.start(stage.with(160.0, 120.0), box_at(160.0, 120.0));
+    for (int t = 1; t <= 30; ++t) {
+      (void)tracker.update(stage.with(160.0, 120.0, 1.0, 0.02 * t));
+    }
+    Annotations shown;
+    tracker.annotate(shown);
+    const LineMark& top = shown.lines.at(4);
+    return std::atan2(top.to.y - top.from.y, top.to.x - top.from.x);
+  };
+  EXPECT_NEAR(turned(CascadeConfig{}.least_change), 0.6F, 0.1F);
+  EXPECT_EQ(turned(1e9), 0.0F) << "nothing is worth trying";
+}
+
 TEST(CascadeTracker, ShowsTheAspectsItRemembers) {
   const Stage stage;
   CascadeTracker tracker({}, 1);

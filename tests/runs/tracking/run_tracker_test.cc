@@ -114,6 +114,15 @@ TEST_F(RunTracker, APictureThatCannotBeReadEndsItWithWhatThereIs) {
   EXPECT_EQ(run.tracks.size(), 9U);
 }
 
+TEST_F(RunTracker, SaysWhereASequenceIsShorterThanItsAnnotation) {
+  TrackingTarget moving = target(20);
+  const std::vector<std::optional<Box>> longer(25, moving.box);
+  moving.truth = longer;
+  const TrackingRun run = run_tracker(kind<testing::Bright>("bright"), moving);
+  EXPECT_EQ(run.tracks.size(), 20U);
+  EXPECT_EQ(run.sequence_error, "it has 20 pictures, its annotation 25");
+}
+
 TEST_F(RunTracker, StopsWhereItIsTold) {
   const TrackingTarget moving = target(30);
   std::stop_source stop;
@@ -181,6 +190,17 @@ TEST_F(RunTracker, FollowsPicturesThatComeOneByOne) {
                                       Box{20.0, 20.0, 8.0, 8.0}, TrackingOptions{});
   EXPECT_EQ(run.tracks.size(), 15U);
   EXPECT_TRUE(run.failures.empty());
+}
+
+TEST_F(RunTracker, SaysWhereThereIsNoPictureToStartOn) {
+  class Nothing final : public dataset::PictureSource {
+    [[nodiscard]] bool next(cv::Mat&) override { return false; }
+  };
+  Nothing camera;
+  const TrackingRun run = run_tracker(kind<testing::Still>("still"), camera,
+                                      Box{20.0, 20.0, 8.0, 8.0}, TrackingOptions{});
+  EXPECT_TRUE(run.tracks.empty());
+  EXPECT_EQ(run.sequence_error, "it ends before picture 1, on which trackers start");
 }
 
 TEST(TargetsOf, ATypedBoxIsInTheFirstPicture) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studies/convergence_test.h"
+#include "studies/convergence_trial.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
