@@ -39,6 +39,7 @@ struct StudyCommand {
       common.write_json(all);
       return;
     }
+    refuse_what_it_does_not_take(*study);
     context.scenario = scenario_of(*study);
     const nlohmann::ordered_json result = run_study(*study, context);
     progress.finish();
@@ -47,6 +48,16 @@ struct StudyCommand {
   }
 
  private:
+  void refuse_what_it_does_not_take(const Study& study) const {
+    for (const auto& [option, given] : {std::pair("transactions", &transactions),
+                                        {"images", &images},
+                                        {"sequences", &sequences}}) {
+      if (!given->empty() && study.takes != option) {
+        throw UsageError(fmt::format("--{}: study {} takes none", option, study.name));
+      }
+    }
+  }
+
   [[nodiscard]] Scenario scenario_of(const Study& study) const {
     const std::filesystem::path file =
         scenario.empty() ? std::filesystem::path("scenarios") / (study.scenario + ".yaml")
@@ -67,7 +78,7 @@ void add_study(CLI::App& app, const std::stop_token& stop) {
   CLI::App* command = app.add_subcommand("study", "Measure a table or figure of the thesis");
   std::string names;
   for (const Study& study : studies())
-    names += fmt::format("\n  {:<16}{}", study.name, study.about);
+    names += fmt::format("\n  {:<22}{}", study.name, study.about);
   command->add_option("NAME", options->name, "A study, or all")->required();
   command->add_option("--scenario", options->scenario,
                       "The scenario it is measured on (default: scenarios/balloon.yaml for chapter "

@@ -147,8 +147,15 @@ void TrackCommand::run_recorded(const Kinds& kinds, const std::optional<Box>& ty
   RunControl control = common.control(stop);
   TerminalProgress progress;
   control.progress = progress.callback();
-  TrackingComparison comparison = compare_trackers(
-      kinds, found, options, control, [&results](const ScoredRun& one) { results.write(one.run); });
+  std::string unwritten;  // why; scores and report are not lost for it
+  TrackingComparison comparison =
+      compare_trackers(kinds, found, options, control, [&](const ScoredRun& one) {
+        try {
+          results.write(one.run);
+        } catch (const std::runtime_error& failure) {
+          if (unwritten.empty()) unwritten = failure.what();
+        }
+      });
   for (const TrackerKind& peer : tracking::peers()) comparison.peers.push_back(peer.name);
   progress.finish();
   if (film) film->close();
@@ -159,10 +166,10 @@ void TrackCommand::run_recorded(const Kinds& kinds, const std::optional<Box>& ty
     if (typed) throw UsageError("--box: " + only->tracker_error);
     throw std::runtime_error(fmt::format("{}: {}", only->target, only->tracker_error));
   }
-  tell(comparison);
+  tell(comparison, unwritten);
 }
 
-void TrackCommand::tell(const TrackingComparison& comparison) const {
+void TrackCommand::tell(const TrackingComparison& comparison, const std::string& unwritten) const {
   if (comparison.trackers.size() * comparison.targets.size() == 1) {
     print(comparison.runs.front());
   } else {
@@ -179,7 +186,7 @@ void TrackCommand::tell(const TrackingComparison& comparison) const {
   const bool tracked = std::ranges::any_of(
       comparison.runs, [](const ScoredRun& one) { return !one.run.tracks.empty(); });
   for (const auto& [path, what] : {std::pair(video, "video"), {out, "results"}}) {
-    if (path.empty()) continue;
+    if (path.empty() || (path == out && !unwritten.empty())) continue;
     if (tracked) {
       fmt::print("{}: the {}\n", path.string(), what);
     } else {
@@ -189,6 +196,7 @@ void TrackCommand::tell(const TrackingComparison& comparison) const {
   common.write_json({{"seed", seed()},
                      {"default_tracker", tracking::trackers().front().name},
                      {"trackers", to_json(comparison)}});
+  if (!unwritten.empty()) throw std::runtime_error(unwritten);
   finish(comparison);
 }
 

@@ -37,7 +37,8 @@ struct TrackCommand {
   void run_camera(int number, const Kinds& kinds, const std::optional<Box>& typed,
                   const std::stop_token& stop) const;
   /// Prints and writes what was found, then what went wrong.
-  void tell(const TrackingComparison& comparison) const;
+  /// `unwritten`: why a result was not written; empty: all were.
+  void tell(const TrackingComparison& comparison, const std::string& unwritten = {}) const;
 };
 
 }  // namespace pacer

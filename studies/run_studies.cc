@@ -24,6 +24,15 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
   output.keep();
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw std::runtime_error(
+        fmt::format("{}: no folder can be made there: {}", folder.string(), error.message()));
+  }
+}
+
 /// The result of an earlier run of the same program and scenario; null when there is none.
 ordered_json earlier(const std::filesystem::path& file, const std::string& made_of) {
   std::ifstream stream(file);
@@ -63,16 +72,17 @@ report::Table table_of(const ordered_json& results) {
 const std::vector<Study>& studies() {
   static const std::vector<Study> all = {
       {"convergence", "Figures 3.7, 3.8: a predictor, a flock and Lucas-Kanade, 60,000 tests",
-       "follow", study_convergence},
+       "follow", study_convergence, "images"},
       {"training-range", "Figures 3.3, 3.4: answers within the range of training", "follow",
-       study_training_range},
-      {"parameters", "Figure 3.9: what a predictor's parameters do", "follow", study_parameters},
+       study_training_range, "images"},
+      {"parameters", "Figure 3.9: what a predictor's parameters do", "follow", study_parameters,
+       "images"},
       {"weighting", "Figure 3.10: a flock weighted by agreement, its target partly hidden",
-       "follow", study_weighting},
+       "follow", study_weighting, "images"},
       {"interframe", "Figures 3.5, 3.6: a jump of 37 pixels, with blur", "follow",
        study_interframe},
       {"tracking", "Figures 4.4 to 4.17, Table 4.4: every tracker beside those of today", "follow",
-       study_tracking},
+       study_tracking, "sequences"},
       {"output-clustering", "Figure 5.4: grouped by percepts, and grouped by actions", "balloon",
        study_output_clustering},
       {"blobs", "Figure 5.10: are balloons found where they are?", "balloon", study_blobs},
@@ -88,7 +98,7 @@ const std::vector<Study>& studies() {
       {"response", "frame to command on one core, SIFT included", "follow", study_response},
       {"throughput", "recording against a bare simulation loop", "follow", study_throughput},
       {"apriori", "mining: equal to independent implementations, and its time", "follow",
-       study_apriori},
+       study_apriori, "transactions"},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", "follow", study_hits},
       {"following", "closed loop in unseen rooms, against the teacher", "follow", study_following}};
   return all;
@@ -110,7 +120,7 @@ ordered_json run_study(const Study& study, const StudyContext& context) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ordered_json value = to_json(study, context, result, seconds);
   if (!context.out.empty()) {
-    std::filesystem::create_directories(context.out);
+    make_folder(context.out);
     page.section("Claims").table(table_of({{study.name, value}}));
     page.write(context.out / (study.name + ".html"));
     write_whole(context.out / (study.name + ".json"), value.dump(2) + "\n");

@@ -51,6 +51,7 @@ struct Study {
   std::string scenario;  ///< of scenarios/, that it is measured on
   /// Measures, and puts plots and tables on the page.
   StudyResult (*run)(const StudyContext& context, report::Page& page);
+  std::string takes = {};  ///< which of a context's `transactions`, `images`, `sequences`, if any
 };
 
 /// Every study, in the order in which `study all` runs them.

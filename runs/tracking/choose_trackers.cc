@@ -28,7 +28,10 @@ std::vector<TrackerKind> choose_trackers(const std::vector<std::string>& names,
                                          const std::vector<TrackerKind>& known) {
   check(!known.empty(), "there is a tracker to choose");
   if (names.empty()) return {known.front()};
-  if (std::ranges::find(names, "all") != names.end()) return known;
+  if (std::ranges::find(names, "all") != names.end()) {
+    if (names.size() > 1) throw UsageError("all: names every tracker, so no other beside it");
+    return known;
+  }
   std::vector<TrackerKind> chosen;
   for (const std::string& name : names) {
     const auto found = std::ranges::find_if(
