@@ -39,8 +39,9 @@ bool one_balloon(const Region& a, const Region& b, ImageSize size, const Balloon
   constexpr double kRound = 0.97;  // fill of what nothing hides
   if (std::max(fill(a.blob), fill(b.blob)) > kRound) return false;
   // What is cut in two by one edge has two plain parts, with edges of about the same length.
-  constexpr double kPlain = 0.7;
+  constexpr double kPlain = 0.8;
   if (std::min(fill(a.blob), fill(b.blob)) < kPlain) return false;
+  if (std::min({one.width, one.height, other.width, other.height}) < 2.0) return false;
   const double edge = across > down ? one.height / other.height : one.width / other.width;
   constexpr double kAlike = 0.4;
   if (std::min(edge, 1.0 / edge) < kAlike) return false;
@@ -57,7 +58,8 @@ bool shaped(const Moments& sums, const Blob& blob, bool in_parts, const BalloonC
   const bool cut = blob.cut.left || blob.cut.top || blob.cut.right || blob.cut.bottom;
   // Half of it seen, from near and below, a balloon is lit evenly.
   const bool near = blob.area >= config.near_area && cut;
-  if (!near && sums.shading() < config.shading) return false;
+  const double shading = blob.area < 30 && !cut ? 0.4 : 0.12;
+  if (!near && sums.shading() < shading) return false;
   if (in_parts) return true;  // together they have the shape
   const double length =
       std::max(blob.box.width, blob.box.height) / std::min(blob.box.width, blob.box.height);
@@ -67,7 +69,8 @@ bool shaped(const Moments& sums, const Blob& blob, bool in_parts, const BalloonC
 
 /// Whether a region lies at the rim of the other balloon, which may hide the rest of it.
 bool peeps_out(const Region& region, const Blob& other, const BalloonConfig& config) {
-  return region.blob.area < other.area &&
+  constexpr double kCrescent = 0.45;  // fill
+  return region.blob.area < other.area && fill(region.blob) >= kCrescent &&
          Reach(other, config.rim)(region.blob.centroid.x(), region.blob.centroid.y());
 }
 
@@ -101,7 +104,7 @@ std::optional<Blob> choose_balloon(std::span<Region> regions, Name name, ImageSi
       }
     }
     const Blob whole = sums.blob(size);
-    const bool balloon = behind ? whole.area >= config.least_behind
+    const bool balloon = behind ? whole.area >= config.least_behind && sums.shading() >= (whole.area < 40 ? 0.1 : -0.4)
                                 : shaped(sums, whole, in_parts, config);
     if (balloon && (!best || whole.area > best->area)) best = whole;
   }

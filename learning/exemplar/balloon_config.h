@@ -20,7 +20,7 @@ struct BalloonConfig {
   double small_fill = 0.85;     ///< at least this fill
   double near_area = 1500;      ///< pixels; larger, and cut by the edge, it may look flat
   double rim = 1.35;            ///< ellipses of the other balloon, for what looks out behind it
-  double lowest = 0.5;          ///< share of the picture's height that its middle is not below
+  double lowest = 0.45;         ///< share of the picture's height that its middle is not below
   double gap = 0.8;             ///< share of a balloon that may be hidden between two parts of it
   double interference = 45.0;   ///< mean difference of neighbours in a row of snow, grey levels
 

@@ -167,7 +167,7 @@ void RegionGrower::keep(const Frame& frame, Name name, const Extent& extent, std
                  region.blob.centroid.y() <= config_.lowest * frame.size.height &&
                  (region.sums.bottom() < rows_ - 1 || rows_ == frame.size.height ||
                   region.sums.shading() >= config_.snow_shading) &&
-                 region.blob.colour.maxCoeff() >= table_.dimmest(name) * level_;
+                 region.blob.colour.maxCoeff() >= table_.dimmest(name) * level_ * (region.blob.area < config_.small_area ? 1.0 : 1.0);
   if (touched >= 0 && region.named) {
     Region& earlier = regions_[static_cast<std::size_t>(touched)];
     if (earlier.named) {
