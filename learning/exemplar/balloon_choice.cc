@@ -58,13 +58,23 @@ bool shaped(const Moments& sums, const Blob& blob, bool in_parts, const BalloonC
   const bool cut = blob.cut.left || blob.cut.top || blob.cut.right || blob.cut.bottom;
   // Half of it seen, from near and below, a balloon is lit evenly.
   const bool near = blob.area >= config.near_area && cut;
-  const double shading = blob.area < 30 && !cut ? 0.4 : 0.12;
+  const double shading =
+      blob.area < config.tiny_area && !cut ? config.tiny_shading : config.shading;
   if (!near && sums.shading() < shading) return false;
   if (in_parts) return true;  // together they have the shape
   const double length =
       std::max(blob.box.width, blob.box.height) / std::min(blob.box.width, blob.box.height);
   const double least = blob.area < config.small_area ? config.small_fill : config.least_fill;
   return fill(blob) >= least && (cut || length <= config.longest);
+}
+
+/// The same of what looks out behind the other balloon, which may be all of its dark underside.
+bool shaped_behind(const Moments& sums, const BalloonConfig& config) {
+  constexpr double kFaint = 40.0;  // pixels
+  constexpr double kUnderside = -0.4;
+  const auto area = static_cast<double>(sums.area());
+  if (area < config.least_behind) return false;
+  return sums.shading() >= (area < kFaint ? config.behind_shading : kUnderside);
 }
 
 /// Whether a region lies at the rim of the other balloon, which may hide the rest of it.
@@ -83,8 +93,7 @@ std::optional<Blob> choose_balloon(std::span<Region> regions, Name name, ImageSi
   for (;;) {
     Region* largest = nullptr;
     for (Region& region : regions) {
-      if (!region.taken &&
-          (largest == nullptr || region.sums.area() > largest->sums.area())) {
+      if (!region.taken && (largest == nullptr || region.sums.area() > largest->sums.area())) {
         largest = &region;
       }
     }
@@ -104,8 +113,8 @@ std::optional<Blob> choose_balloon(std::span<Region> regions, Name name, ImageSi
       }
     }
     const Blob whole = sums.blob(size);
-    const bool balloon = behind ? whole.area >= config.least_behind && sums.shading() >= (whole.area < 40 ? 0.1 : -0.4)
-                                : shaped(sums, whole, in_parts, config);
+    const bool balloon =
+        behind ? shaped_behind(sums, config) : shaped(sums, whole, in_parts, config);
     if (balloon && (!best || whole.area > best->area)) best = whole;
   }
 }

@@ -15,6 +15,9 @@ void BalloonConfig::validate() const {
   require(joint_fill >= 0.0 && joint_fill <= 1.0, "joint_fill: must lie in [0, 1]");
   require(longest >= 1.0, "longest: must be at least 1");
   require(shading >= -2.0 && shading <= 2.0, "shading: must lie in [-2, 2]");
+  require(tiny_area >= 0.0, "tiny_area_px: must not be negative");
+  require(tiny_shading >= -2.0 && tiny_shading <= 2.0, "tiny_shading: must lie in [-2, 2]");
+  require(behind_shading >= -2.0 && behind_shading <= 2.0, "behind_shading: must lie in [-2, 2]");
   require(snow_shading >= -2.0 && snow_shading <= 2.0, "snow_shading: must lie in [-2, 2]");
   require(small_area >= 0.0, "small_area_px: must not be negative");
   require(small_fill >= 0.0 && small_fill <= 1.0, "small_fill: must lie in [0, 1]");

@@ -52,8 +52,8 @@ std::span<Region> RegionGrower::grow(const Frame& frame, const BlobFinder& finde
   // Those of the very colour first, lest a wall of bricks takes a balloon before it in.
   for (const bool mixed : {false, true}) {
     for (std::size_t i = 0; i < blobs.size(); ++i) {
-      const Name name = mixed ? table_.nearest(blobs[i].colour)
-                              : table_.name(blobs[i].colour, blobs[i].area);
+      const Name name =
+          mixed ? table_.nearest(blobs[i].colour) : table_.name(blobs[i].colour, blobs[i].area);
       if (name != Name::kNone) grow_blob(frame, finder, blobs[i], i, name);
     }
   }
@@ -167,7 +167,7 @@ void RegionGrower::keep(const Frame& frame, Name name, const Extent& extent, std
                  region.blob.centroid.y() <= config_.lowest * frame.size.height &&
                  (region.sums.bottom() < rows_ - 1 || rows_ == frame.size.height ||
                   region.sums.shading() >= config_.snow_shading) &&
-                 region.blob.colour.maxCoeff() >= table_.dimmest(name) * level_ * (region.blob.area < config_.small_area ? 1.0 : 1.0);
+                 region.blob.colour.maxCoeff() >= table_.dimmest(name) * level_;
   if (touched >= 0 && region.named) {
     Region& earlier = regions_[static_cast<std::size_t>(touched)];
     if (earlier.named) {

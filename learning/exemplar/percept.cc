@@ -79,7 +79,9 @@ void mark(const Balloons& balloons, Annotations& annotations) {
 }
 
 BalloonFinder::BalloonFinder(const PerceptConfig& config)
-    : config_(config), finder_(config.blobs), grower_(config.balloons, ColourTable(config.colours)) {
+    : config_(config),
+      finder_(config.blobs),
+      grower_(config.balloons, ColourTable(config.colours)) {
   config_.validate();
 }
 

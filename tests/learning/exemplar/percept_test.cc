@@ -183,8 +183,8 @@ TEST(PerceptConfig, ABadValueNamesSectionAndField) {
   };
   PerceptConfig config;
   EXPECT_EQ(message(config), "");
-  config.colours.green_balloon.tolerance = -1.0;
-  EXPECT_TRUE(message(config).starts_with("colours.green_balloon.tolerance")) << message(config);
+  config.colours.green_balloon.tint = -1.0;
+  EXPECT_TRUE(message(config).starts_with("colours.green_balloon.tint")) << message(config);
   config = {};
   config.balloons.lowest = 2.0;
   EXPECT_TRUE(message(config).starts_with("balloons.lowest")) << message(config);
