@@ -199,7 +199,9 @@ void add_inspect(CLI::App& app, const std::stop_token&) {
       app.add_subcommand("inspect", "What is in a dataset, model or scenario, and is it whole");
   command->add_option("WHAT", options->what, "A dataset's folder, a model or a scenario file")
       ->required();
-  command->add_option("--sheet", options->sheet, "Draw a dataset's contact sheet, or an exemplar model's hierarchy (PNG)")
+  command
+      ->add_option("--sheet", options->sheet,
+                   "Draw a dataset's contact sheet, or an exemplar model's hierarchy (PNG)")
       ->check(writable_file());
   command->add_flag("--repair", options->mend,
                     "Keep a dataset's episodes before the first that is damaged, and move the rest "

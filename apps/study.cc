@@ -49,7 +49,8 @@ struct StudyCommand {
  private:
   [[nodiscard]] Scenario scenario_of(const Study& study) const {
     const std::filesystem::path file =
-        scenario.empty() ? std::filesystem::path("scenarios") / (study.scenario + ".yaml") : scenario;
+        scenario.empty() ? std::filesystem::path("scenarios") / (study.scenario + ".yaml")
+                         : scenario;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
       throw UsageError(file.string() +

@@ -55,7 +55,8 @@ struct TrainCommand {
 void add_train(CLI::App& app, const std::stop_token& stop) {
   auto options = std::make_shared<TrainCommand>();
   CLI::App* command = app.add_subcommand("train", "Learn to drive from a recorded dataset");
-  command->add_option("METHOD", options->method, "How: affordance (chapter 6) or exemplar (chapter 5)")
+  command
+      ->add_option("METHOD", options->method, "How: affordance (chapter 6) or exemplar (chapter 5)")
       ->required()
       ->check(CLI::IsMember({"affordance", "exemplar"}));
   command->add_option("DATASET", options->dataset, "Folder of the dataset")->required();

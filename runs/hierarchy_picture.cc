@@ -24,9 +24,9 @@ namespace canvas = report::canvas;
 
 constexpr int kWidth = 1280;
 constexpr int kMargin = 16;
-constexpr int kPlot = 360;     // height of the actions
-constexpr int kLevels = 4;     // of nodes, the root's included
-constexpr int kArrows = 34;    // height of a node's strip of actions
+constexpr int kPlot = 360;   // height of the actions
+constexpr int kLevels = 4;   // of nodes, the root's included
+constexpr int kArrows = 34;  // height of a node's strip of actions
 constexpr int kGap = 10;
 const cv::Scalar kRed(232, 72, 72);
 const cv::Scalar kGreen(72, 190, 96);
@@ -69,7 +69,8 @@ void draw_cuts(cv::Mat& image, const ActionPlot& plot, const ActionTree& tree, N
   Bounds high = cell;
   low.high[one.axis] = high.low[one.axis] = one.cut;
   const cv::Point from = plot.at(high.low[0], high.low[1]);
-  const cv::Point to = one.axis == 0 ? plot.at(one.cut, cell.high[1]) : plot.at(cell.high[0], one.cut);
+  const cv::Point to =
+      one.axis == 0 ? plot.at(one.cut, cell.high[1]) : plot.at(cell.high[0], one.cut);
   cv::line(image, from, to, kLine, 1, cv::LINE_AA);
   draw_cuts(image, plot, tree, one.left, low);
   draw_cuts(image, plot, tree, one.right, high);
@@ -100,9 +101,8 @@ void draw_model(cv::Mat& image, const ActionPlot& plot, const exemplar::Gaussian
   constexpr int kPoints = 72;
   for (int i = 0; i < kPoints; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kPoints;
-    const Eigen::Vector2d side =
-        axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(
-            Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    const Eigen::Vector2d side = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().cwiseProduct(
+        Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     const Eigen::Vector2d point = model.mean.head<2>() + 2.0 * (axes.eigenvectors() * side);
     outline.push_back(plot.at(point.x(), point.y()));
   }
@@ -116,9 +116,9 @@ void draw_actions(cv::Mat& image, const Hierarchy& hierarchy) {
   canvas::text(image, "actions: turn (left is left) and drive (up is ahead), as the tree cuts them",
                {kMargin, kMargin + 10}, {.height_px = 11});
   cv::Mat inside = image(place);
-  draw_cuts(image, plot, hierarchy.tree(), 0,
-            {.low = {-ActionPlot::kMostTurn, 0.0},
-             .high = {ActionPlot::kMostTurn, plot.most_drive()}});
+  draw_cuts(
+      image, plot, hierarchy.tree(), 0,
+      {.low = {-ActionPlot::kMostTurn, 0.0}, .high = {ActionPlot::kMostTurn, plot.most_drive()}});
   cv::rectangle(image, place, kLine, 1);
   const std::vector<NodeId> groups = three_groups(hierarchy.tree());
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -139,8 +139,8 @@ void draw_node(cv::Mat image, const Hierarchy& hierarchy, NodeId node, double sc
   const std::size_t step = (members.size() + kMost - 1) / kMost;
   cv::Mat view = image.rowRange(0, image.rows - kArrows);
   view.setTo(cv::Scalar(30, 36, 45));
-  const double alpha =
-      std::max(0.06, 0.9 / std::sqrt(static_cast<double>((members.size() + step - 1) / step)));
+  const std::size_t drawn = (members.size() + step - 1) / step;
+  const double alpha = std::max(0.06, 0.9 / std::sqrt(static_cast<double>(drawn)));
   cv::Mat layer;
   const cv::Point foot(image.cols / 2, image.rows - 6);
   for (std::size_t i = 0; i < members.size(); i += step) {
@@ -183,8 +183,8 @@ Frame draw_hierarchy(const exemplar::Model& model) {
   constexpr int kBetween = 26;
   Frame frame;
   cv::Mat image = canvas::resized(
-      frame, {.width = kWidth,
-              .height = kPlot + kMargin + 24 + kLevels * (node_height + kBetween)});
+      frame,
+      {.width = kWidth, .height = kPlot + kMargin + 24 + kLevels * (node_height + kBetween)});
   image.setTo(canvas::kBackground);
   draw_actions(image, hierarchy);
   canvas::text(image,
@@ -212,8 +212,8 @@ Frame draw_hierarchy(const exemplar::Model& model) {
       const int x = middle(i, depth);
       if (depth + 1 < kLevels && inner) {
         for (const std::size_t child : {2 * i, 2 * i + 1}) {
-          cv::line(image, {x, y + node_height}, {middle(child, depth + 1), y + node_height + kBetween},
-                   kLine, 1, cv::LINE_AA);
+          cv::line(image, {x, y + node_height},
+                   {middle(child, depth + 1), y + node_height + kBetween}, kLine, 1, cv::LINE_AA);
         }
       }
       draw_node(image(cv::Rect(x - kNodeWidth / 2, y, kNodeWidth, node_height)), hierarchy,

@@ -11,8 +11,8 @@
 namespace pacer {
 
 /// A learnt model of either kind; shared by all policies that are made from it.
-using AnyModel = std::variant<std::shared_ptr<const affordance::Model>,
-                              std::shared_ptr<const exemplar::Model>>;
+using AnyModel =
+    std::variant<std::shared_ptr<const affordance::Model>, std::shared_ptr<const exemplar::Model>>;
 
 /// Reads the model in `file`, of whichever kind its first bytes say. Throws std::runtime_error,
 /// naming it, where it is neither or is damaged; std::system_error where it cannot be read.

@@ -79,11 +79,13 @@ std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::
   if (const auto* model = std::get_if<std::shared_ptr<const exemplar::Model>>(&what_)) {
     if (scenario.what_for() != Goal::kReach) {
       throw UsageError(fmt::format(
-          "--policy {}: drives by impulses; set goal=reach, as scenarios/balloon.yaml does", name_));
+          "--policy {}: drives by impulses; set goal=reach, as scenarios/balloon.yaml does",
+          name_));
     }
     return std::make_unique<exemplar::ExemplarPolicy>(*model, random.fork("exemplar"));
   }
-  if (const auto model = affordances()) return std::make_unique<affordance::AffordancePolicy>(model);
+  if (const auto model = affordances())
+    return std::make_unique<affordance::AffordancePolicy>(model);
   return std::make_unique<ConstantPolicy>(std::get<Command>(what_));
 }
 

@@ -75,10 +75,14 @@ std::string to_text(const exemplar::TrainingReport& report) {
 }
 
 nlohmann::ordered_json to_json(const exemplar::TrainingReport& report) {
-  return {{"episodes", report.episodes},     {"frames", report.frames},
-          {"exemplars", report.exemplars},   {"disturbed", report.disturbed},
-          {"red_seen", report.red_seen},     {"green_seen", report.green_seen},
-          {"nodes", report.nodes},           {"depth", report.depth},
+  return {{"episodes", report.episodes},
+          {"frames", report.frames},
+          {"exemplars", report.exemplars},
+          {"disturbed", report.disturbed},
+          {"red_seen", report.red_seen},
+          {"green_seen", report.green_seen},
+          {"nodes", report.nodes},
+          {"depth", report.depth},
           {"seconds", {{"whole", report.seconds}}}};
 }
 

@@ -182,8 +182,7 @@ StudyResult study_exemplar_scale(const StudyContext& context, report::Page& page
     const std::optional<Scale> scale = measured_apart(size, context, config);
     if (!scale) throw StudyStopped();
     scales.push_back(*scale);
-    context.control.progress(static_cast<int>(scales.size()), static_cast<int>(kSizes.size()),
-                             "sizes");
+    context.control.progress(scales.size(), kSizes.size(), "sizes");
   }
   const Scale& thousand = scales[1];
   const Scale& million = scales.back();

@@ -69,8 +69,8 @@ Errors errors_on(const Exemplars& exemplars, const Split& split, const std::vect
                                       {.choose = sampled ? "sample" : "consistent"},
                                       random.fork("held-out", n).fork("tau", t));
         const exemplar::Action response = responder.respond(found);
-        (sampled ? errors.sampled : errors.consistent)[t] += chapter5::prediction_error(
-            std::span<const double>(response.data(), 2), action);
+        (sampled ? errors.sampled : errors.consistent)[t] +=
+            chapter5::prediction_error(std::span<const double>(response.data(), 2), action);
       }
     }
   }
@@ -126,7 +126,8 @@ void add_chart(const std::vector<double>& taus, const Errors& mean, const Errors
       {.name = "one split of it", .x = taus, .y = one.sampled, .dashed = true},
       {.name = "hierarchy, consistent", .x = taus, .y = mean.consistent},
       {.name = "NN-PA", .x = ends, .y = {mean.nn_pa, mean.nn_pa}},
-      {.name = "NN-PA, standardised", .x = ends,
+      {.name = "NN-PA, standardised",
+       .x = ends,
        .y = {mean.nn_pa_standardised, mean.nn_pa_standardised}}};
   std::vector<std::string> names;
   for (const report::Series& line : lines) names.push_back(line.name);
@@ -164,21 +165,21 @@ StudyResult study_generalisation(const StudyContext& context, report::Page& page
   const double plateau = level(taus, mean.sampled, start);
   const double consistent = level(taus, mean.consistent, start);
   StudyResult result;
-  result.figures = {{"plateau_over_nn_pa", plateau / mean.nn_pa},
-                    {"plateau_over_nn_pa_standardised", plateau / mean.nn_pa_standardised},
-                    {"consistent_over_nn_pa", consistent / mean.nn_pa},
-                    {"consistent_over_nn_pa_standardised", consistent / mean.nn_pa_standardised},
-                    {"plateau_error", plateau},
-                    {"consistent_error", consistent},
-                    {"nn_pa_error", mean.nn_pa},
-                    {"nn_pa_standardised_error", mean.nn_pa_standardised},
-                    {"plateau_from_tau", start},
-                    {"default_tau", config.tau},
-                    {"fall", mean.sampled.front() / plateau},
-                    {"exemplars", exemplars.size()},
-                    {"splits", kSplits},
-                    {"curves",
-                     {{"tau", taus}, {"sampled", mean.sampled}, {"consistent", mean.consistent}}}};
+  result.figures = {
+      {"plateau_over_nn_pa", plateau / mean.nn_pa},
+      {"plateau_over_nn_pa_standardised", plateau / mean.nn_pa_standardised},
+      {"consistent_over_nn_pa", consistent / mean.nn_pa},
+      {"consistent_over_nn_pa_standardised", consistent / mean.nn_pa_standardised},
+      {"plateau_error", plateau},
+      {"consistent_error", consistent},
+      {"nn_pa_error", mean.nn_pa},
+      {"nn_pa_standardised_error", mean.nn_pa_standardised},
+      {"plateau_from_tau", start},
+      {"default_tau", config.tau},
+      {"fall", mean.sampled.front() / plateau},
+      {"exemplars", exemplars.size()},
+      {"splits", kSplits},
+      {"curves", {{"tau", taus}, {"sampled", mean.sampled}, {"consistent", mean.consistent}}}};
   result.claims = {
       at_most("plateau_over_nn_pa", "5.13: considerably lower than NN-PA on its plateau",
               plateau / mean.nn_pa, 0.75),

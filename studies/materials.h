@@ -24,8 +24,8 @@ class Materials {
   /// A model learnt from the first `episodes` demonstrated episodes: its file.
   [[nodiscard]] std::filesystem::path model(std::uint64_t episodes) const;
 
-  /// A hierarchy (chapter 5) learnt by `config` from the first `episodes` demonstrated episodes: its
-  /// file, whose stem is `name`.
+  /// A hierarchy (chapter 5) learnt by `config` from the first `episodes` demonstrated episodes:
+  /// its file, whose stem is `name`.
   [[nodiscard]] std::filesystem::path exemplar_model(const exemplar::ExemplarConfig& config,
                                                      std::uint64_t episodes,
                                                      const std::string& name) const;

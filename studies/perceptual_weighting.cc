@@ -87,15 +87,15 @@ std::vector<TestImage> test_images(const StudyContext& context) {
           return leftmost ? green < other : green > other;
         };
         if (chosen[image] && !better(*chosen[image])) continue;
-        chosen[image] = {.frame = *impulse->frame,
-                         .percept = exemplar::percept(seen),
-                         .balloons = seen};
+        chosen[image] = {
+            .frame = *impulse->frame, .percept = exemplar::percept(seen), .balloons = seen};
       }
     }
   }
   std::vector<TestImage> images;
   for (std::optional<TestImage>& image : chosen) {
-    if (!image) throw std::runtime_error("perceptual-weighting: too few pictures with both balloons");
+    if (!image)
+      throw std::runtime_error("perceptual-weighting: too few pictures with both balloons");
     images.push_back(std::move(*image));
   }
   return images;
@@ -175,9 +175,8 @@ StudyResult study_perceptual_weighting(const StudyContext& context, report::Page
     const exemplar::Hierarchy group(exemplars.subset(classes[c]), config, hierarchy.prior());
     const exemplar::Gaussian model = group.percept_model(0);
     for (std::size_t i = 0; i < kImages; ++i) {
-      distances[c][i] =
-          model.distance(Eigen::Map<const Eigen::VectorXd>(images[i].percept.data(),
-                                                           exemplar::kPerceptSize));
+      distances[c][i] = model.distance(
+          Eigen::Map<const Eigen::VectorXd>(images[i].percept.data(), exemplar::kPerceptSize));
       measured[kNames[c]].push_back(distances[c][i]);
     }
   }
@@ -196,9 +195,9 @@ StudyResult study_perceptual_weighting(const StudyContext& context, report::Page
                     {"images_nearest_their_class", nearest},
                     {"distances", measured},
                     {"class_sizes", {classes[0].size(), classes[1].size(), classes[2].size()}}};
-  result.claims = {
-      at_least("ordered", "5.12: every class is nearer to its own two images than to the others",
-               ordered, 1.0)};
+  result.claims = {at_least("ordered",
+                            "5.12: every class is nearer to its own two images than to the others",
+                            ordered, 1.0)};
   add_page(images, distances, page);
   return result;
 }

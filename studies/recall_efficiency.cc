@@ -7,6 +7,7 @@
 #include "learning/exemplar/search.h"
 #include "runs/report/charts.h"
 #include "studies/chapter5.h"
+#include "studies/materials.h"
 #include "studies/studies.h"
 
 namespace pacer {
@@ -59,7 +60,8 @@ StudyResult study_recall_efficiency(const StudyContext& context, report::Page& p
       {"most_recall", *std::ranges::max_element(curves.recall)},
       {"exemplars", hierarchy.exemplars().size()},
       {"nodes", hierarchy.tree().nodes().size()},
-      {"curves", {{"tau", curves.tau}, {"recall", curves.recall}, {"efficiency", curves.efficiency}}}};
+      {"curves",
+       {{"tau", curves.tau}, {"recall", curves.recall}, {"efficiency", curves.efficiency}}}};
   result.claims = {
       at_most("least_recall", "5.14: next to nothing is recalled with a small tau",
               curves.recall.front(), 0.05),

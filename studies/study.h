@@ -47,7 +47,7 @@ struct StudyContext {
 /// A table or figure that is reproduced, or a comparison.
 struct Study {
   std::string name;
-  std::string about;  ///< one line
+  std::string about;     ///< one line
   std::string scenario;  ///< of scenarios/, that it is measured on
   /// Measures, and puts plots and tables on the page.
   StudyResult (*run)(const StudyContext& context, report::Page& page);

@@ -39,7 +39,7 @@ class BestFirstSearcher {
 
   // How far it looks: measured, docs/design/exemplar.md.
   static constexpr std::size_t kAll = 512;    // so few twigs are all looked at
-  static constexpr std::size_t kMost = 2500;  // twigs at most, and models
+  static constexpr std::size_t kMost = 4000;  // twigs at most, and models
   static constexpr float kReach = 1.75F;      // a mean's squared distance over the best model's
 
   const Hierarchy& hierarchy_;

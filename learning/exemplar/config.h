@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "learning/exemplar/hierarchy_config.h"
 #include "learning/exemplar/percept.h"
 #include "learning/exemplar/response.h"
@@ -10,6 +12,9 @@ namespace pacer::exemplar {
 /// Everything that can be chosen between a picture and an impulse.
 struct ExemplarConfig {
   PerceptConfig percept;
+  /// Which blobs a driving percept is of: `table`, those that the colour table names, or
+  /// `statistics`, those that are like the exemplars' (correspondence.h).
+  std::string naming = "table";
   HierarchyConfig hierarchy;
   ResponseConfig response;
 
@@ -19,6 +24,7 @@ struct ExemplarConfig {
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("percept", percept);
+    visit("naming", naming);
     visit("hierarchy", hierarchy);
     visit("response", response);
   }

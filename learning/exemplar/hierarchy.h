@@ -9,9 +9,9 @@
 
 #include "core/random.h"
 #include "learning/exemplar/action_tree.h"
-#include "learning/exemplar/hierarchy_config.h"
 #include "learning/exemplar/exemplars.h"
 #include "learning/exemplar/gaussian.h"
+#include "learning/exemplar/hierarchy_config.h"
 #include "learning/exemplar/percept_table.h"
 
 namespace pacer::exemplar {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/exemplar/model.h"
 
+#include <Eigen/LU>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -59,9 +60,9 @@ Model read_body(std::string_view bytes) {
           .scenario = std::move(scenario),
           .fingerprint = std::move(fingerprint),
           .drift = drift,
-          .hierarchy =
-              Hierarchy(Exemplars(kPerceptSize, kActionSize, std::move(percepts), std::move(actions)),
-                        config.hierarchy)};
+          .hierarchy = Hierarchy(
+              Exemplars(kPerceptSize, kActionSize, std::move(percepts), std::move(actions)),
+              config.hierarchy)};
 }
 
 /// What follows the version.

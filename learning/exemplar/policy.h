@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/policy.h"
 #include "core/random.h"
+#include "learning/exemplar/correspondence.h"
 #include "learning/exemplar/model.h"
 #include "learning/exemplar/percept.h"
 #include "learning/exemplar/response.h"
@@ -26,6 +28,7 @@ class ExemplarPolicy final : public Policy {
  private:
   std::shared_ptr<const Model> model_;
   BalloonFinder finder_;
+  std::optional<Correspondence> correspondence_;  // instead of the colour table
   Searcher searcher_;
   Responder responder_;
   int blinded_ = 0;  // pictures with interference in a row

@@ -36,39 +36,50 @@ Responder::Responder(const Hierarchy& hierarchy, const Eigen::Matrix2d& drift,
       consistent_(config.choose == "consistent"),
       random_(random.fork("response")) {
   config.validate();
-  require(hierarchy.exemplars().action_size() == kActionSize, "the hierarchy's actions are not turn and drive");
+  require(hierarchy.exemplars().action_size() == kActionSize,
+          "the hierarchy's actions are not turn and drive");
 }
 
 Action Responder::respond(const Found& found) {
-  // An exact match is an exact action; where nothing matches there is one hypothesis: anything.
-  const bool plain = !consistent_ || found.exact || !found.matched;
-  const Action action = plain ? sample(found.best.node) : consistent(found);
+  // Where not even the root matches there is one hypothesis: anything that was ever done.
+  Action action = consistent_ && found.matched ? consistent(found) : sample(found);
   before_ = action;
   return action;
 }
 
-Action Responder::sample(NodeId node) {
-  std::array<double, 2> action{};
+Action Responder::sample(const Found& found) {
+  // A percept that was demonstrated with several actions matches each of them exactly.
+  nearest_.clear();
+  for (const Candidate& candidate : found.candidates) {
+    if (candidate.distance == found.best.distance) nearest_.push_back(candidate.node);
+  }
+  const NodeId node =
+      nearest_.size() > 1 ? nearest_[random_.below(nearest_.size())] : found.best.node;
+  std::array<double, kActionSize> action{};
   hierarchy_.respond(node, random_, action);
   return {action[0], action[1]};
 }
 
 Action Responder::consistent(const Found& found) {
   // How likely each is: by its percepts, relative to the nearest, and by the action before.
-  const double least = static_cast<double>(found.best.distance) * static_cast<double>(found.best.distance);
-  const double unit = std::max(1.0, least / static_cast<double>(hierarchy_.exemplars().percept_size()));
+  const double least =
+      static_cast<double>(found.best.distance) * static_cast<double>(found.best.distance);
+  const double unit =
+      std::max(1.0, least / static_cast<double>(hierarchy_.exemplars().percept_size()));
   actions_.clear();
   weights_.clear();
   for (const Candidate& candidate : found.candidates) {
     const auto distance = static_cast<double>(candidate.distance);
     const Action action(hierarchy_.action_mean(candidate.node).data());
-    double cost = (distance * distance - least) / unit;
+    double weight = std::exp(-0.5 * (distance * distance - least) / unit);
     if (before_) {
+      // Now and then all is new: the balloon comes into view on the other side.
+      constexpr double kNew = 0.1;
       const Action change = action - *before_;
-      cost += change.dot(inverse_drift_ * change);
+      weight *= kNew + (1.0 - kNew) * std::exp(-0.5 * change.dot(inverse_drift_ * change));
     }
     actions_.push_back(action);
-    weights_.push_back(std::exp(-0.5 * cost));
+    weights_.push_back(weight);
   }
   // The mean of those that agree with the one that most agree with.
   constexpr double kAgree = 0.15;  // stick

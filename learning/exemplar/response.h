@@ -14,8 +14,9 @@ namespace pacer::exemplar {
 
 /// How an action is made of the nodes at which a search ended.
 struct ResponseConfig {
-  /// `sample`: drawn from the action model of the nearest (5.2.2); `consistent`: the nodes are
-  /// hypotheses, of which those count that agree with one another and with the action before.
+  /// `sample`: drawn from the action model of the nearest, any one of them where several are as
+  /// near (5.2.2); `consistent`: the nodes are hypotheses, of which those count that agree with one
+  /// another and with the action before.
   std::string choose = "consistent";
 
   /// Throws std::invalid_argument, naming the field.
@@ -45,7 +46,7 @@ class Responder {
   [[nodiscard]] Action respond(const Found& found);
 
  private:
-  [[nodiscard]] Action sample(NodeId node);
+  [[nodiscard]] Action sample(const Found& found);
   [[nodiscard]] Action consistent(const Found& found);
 
   const Hierarchy& hierarchy_;
@@ -53,6 +54,7 @@ class Responder {
   bool consistent_;
   Random random_;
   std::optional<Action> before_;
+  std::vector<NodeId> nearest_;
   std::vector<Action> actions_;  // of the hypotheses
   std::vector<double> weights_;
 };

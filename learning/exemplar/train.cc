@@ -75,9 +75,10 @@ DemonstratedExemplars exemplars_of(const Demonstration& demonstration, const Per
         "the dataset has no impulse (drive, then stand) to learn from; collect it with a scenario "
         "such as scenarios/balloon.yaml");
   }
-  return {.exemplars = Exemplars(kPerceptSize, kActionSize, std::move(percepts), std::move(actions)),
-          .first = std::move(first),
-          .report = report};
+  return {
+      .exemplars = Exemplars(kPerceptSize, kActionSize, std::move(percepts), std::move(actions)),
+      .first = std::move(first),
+      .report = report};
 }
 
 Training train(const Demonstration& demonstration, const ExemplarConfig& config,
@@ -100,10 +101,11 @@ Training grow(Model model, const Demonstration& demonstration, const TrainingOpt
   const Clock::time_point began = Clock::now();
   const ImageSize size = demonstration.image_size();
   if (size != model.image_size) {
-    throw UsageError(fmt::format(
-        "the dataset's pictures are {} x {}, and the model was learnt from {} x {}; collect it with "
-        "the scenario that the model was learnt in",
-        size.width, size.height, model.image_size.width, model.image_size.height));
+    throw UsageError(
+        fmt::format("the dataset's pictures are {} x {}, and the model was learnt from {} x {}; "
+                    "collect it with "
+                    "the scenario that the model was learnt in",
+                    size.width, size.height, model.image_size.width, model.image_size.height));
   }
   const DemonstratedExemplars more = exemplars_of(demonstration, model.config.percept, options);
   for (std::size_t n = 0; n < more.exemplars.size(); ++n) {

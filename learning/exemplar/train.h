@@ -35,8 +35,8 @@ struct DemonstratedExemplars {
 };
 
 /// Reads every episode of a demonstration in impulses (core/impulse.h). Throws UsageError when
-/// there is no impulse in it; std::invalid_argument when `config` is not valid; TrainingStopped; and
-/// whatever the demonstration throws.
+/// there is no impulse in it; std::invalid_argument when `config` is not valid; TrainingStopped;
+/// and whatever the demonstration throws.
 [[nodiscard]] DemonstratedExemplars exemplars_of(const Demonstration& demonstration,
                                                  const PerceptConfig& config,
                                                  const TrainingOptions& options = {});

@@ -38,20 +38,22 @@ inline void paint(const DiscStep& step, std::uint64_t index, Frame& frame) {
     for (int x = 0; x < kDiscImage.width; ++x) {
       double rgb[3] = {150.0, 146.0, 140.0};
       for (const auto& [disc, red, green, blue] :
-           {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 200.0, 16.0, 19.0}}) {
+           {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 180.0, 15.0, 17.0}}) {
         if (!*disc) continue;
         const double outside = std::hypot(x - (*disc)->x, y - (*disc)->y) - (*disc)->radius;
         const double share = std::min(1.0, std::max(0.0, 0.5 - outside));
+        const double shade = 1.0 - 0.35 * (y - (*disc)->y) / (*disc)->radius;  // lit from above
         const double colour[3] = {red, green, blue};
-        for (int i = 0; i < 3; ++i) rgb[i] += share * (colour[i] - rgb[i]);
+        for (int i = 0; i < 3; ++i) rgb[i] += share * (shade * colour[i] - rgb[i]);
       }
-      for (const double value : rgb) frame.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
+      for (const double value : rgb)
+        frame.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
     }
   }
 }
 
-/// The red disc anywhere, or out of view one time in six; the green one likewise and for itself. The
-/// teacher turns to the red one, the harder the farther it is to the side, or to the left.
+/// The red disc anywhere, or out of view one time in six; the green one likewise and for itself.
+/// The teacher turns to the red one, the harder the farther it is to the side, or to the left.
 inline DiscStep any_step(Random& random) {
   const auto disc = [&]() -> std::optional<Disc> {
     if (random.chance(1.0 / 6.0)) return std::nullopt;
@@ -60,7 +62,8 @@ inline DiscStep any_step(Random& random) {
                 .radius = random.uniform(5.0, 12.0)};
   };
   DiscStep step{.red = disc(), .green = disc(), .command = {.steering = 0.9, .throttle = 0.2}};
-  while (step.red && step.green && std::abs(step.red->x - step.green->x) < 26.0) step.green = disc();
+  while (step.red && step.green && std::abs(step.red->x - step.green->x) < 26.0)
+    step.green = disc();
   if (step.red) {
     step.command.steering =
         0.8 * (1.0 - 2.0 * step.red->x / kDiscImage.width) + random.normal(0.0, 0.02);

@@ -16,8 +16,9 @@ using exemplar::ExemplarPolicy;
 using testing::DiscDemonstration;
 using testing::DiscStep;
 
-std::shared_ptr<const exemplar::Model> trained(const char* choose) {
+std::shared_ptr<const exemplar::Model> trained(const char* choose, const char* naming = "table") {
   exemplar::ExemplarConfig config;
+  config.naming = naming;
   config.response.choose = choose;
   return std::make_shared<const exemplar::Model>(
       exemplar::train(DiscDemonstration::any(20, 15, 3), config).model);
@@ -73,11 +74,27 @@ TEST(ExemplarPolicy, AnswersWhatWasDemonstratedExactly) {
   const DiscDemonstration world = DiscDemonstration::any(2, 15, 3);
   exemplar::ExemplarConfig config;
   config.hierarchy.tau = 1e3;
+  config.response.choose = "sample";
   ExemplarPolicy policy(
       std::make_shared<const exemplar::Model>(exemplar::train(world, config).model), Random(1));
   for (const DiscStep& step : world.episodes()[1]) {
     EXPECT_EQ(response_to(policy, step), step.command);
   }
+}
+
+TEST(ExemplarPolicy, NeedsNoColourTableToTurnToTheRedDisc) {
+  const auto model = trained("consistent", "statistics");
+  Random random(13);
+  double error = 0.0;
+  int seen = 0;
+  for (int i = 0; i < 60; ++i) {
+    const DiscStep step = testing::any_step(random);
+    if (!step.red) continue;
+    ExemplarPolicy policy(model, Random(1));
+    error += std::abs(response_to(policy, step).steering - step.command.steering);
+    ++seen;
+  }
+  EXPECT_LT(error / seen, 0.15);
 }
 
 TEST(ExemplarPolicy, MarksBothBalloons) {

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 
 namespace pacer::exemplar {
 namespace {
 
 TEST(ActionDrift, IsTheMeanSquareOfTheChangesWithinEpisodes) {
-  const Eigen::Matrix2d drift =
-      action_drift({{{0.0, 0.2}, {0.4, 0.2}, {0.0, 0.3}}, {{-1.0, 0.5}}});
+  const Eigen::Matrix2d drift = action_drift({{{0.0, 0.2}, {0.4, 0.2}, {0.0, 0.3}}, {{-1.0, 0.5}}});
   EXPECT_NEAR(drift(0, 0), (0.16 + 0.16) / 2.0, 0.003);
   EXPECT_NEAR(drift(1, 1), 0.01 / 2.0, 0.003);
   EXPECT_NEAR(drift(0, 1), -0.04 / 2.0, 1e-12);
@@ -50,6 +50,26 @@ TEST(Responder, KeepsToOneOfTwoWaysThatAreAsLikely) {
     EXPECT_GT(std::abs(turn), 0.7) << "no mean of both";
     if (i == 0) side = turn;
     EXPECT_GT(turn * side, 0.0) << i;
+  }
+}
+
+TEST(Responder, TurnsRoundWhereThePerceptIsClear) {
+  std::vector<double> percepts;
+  std::vector<double> actions;
+  Random random(5);
+  for (int n = 0; n < 40; ++n) {
+    const double side = n % 8 == 0 ? -1.0 : 1.0;  // one way is rare
+    percepts.insert(percepts.end(),
+                    {5.0 * side + random.normal(0.0, 0.3), random.normal(0.0, 1.0)});
+    actions.insert(actions.end(), {0.9 * side + random.normal(0.0, 0.02), 0.3});
+  }
+  const Hierarchy hierarchy(Exemplars(2, 2, percepts, actions), HierarchyConfig{});
+  Searcher searcher(hierarchy);
+  Responder responder(hierarchy, 0.02 * Eigen::Matrix2d::Identity(), {.choose = "consistent"},
+                      Random(1));
+  for (const double side : {1.0, 1.0, -1.0, 1.0}) {
+    const std::vector<double> percept = {5.1 * side, 0.1};
+    EXPECT_GT(side * responder.respond(searcher.find(percept, 1e3)).x(), 0.7);
   }
 }
 
