@@ -27,8 +27,8 @@ PixelRectangle between(const Box& a, const Box& b, bool across) {
 
 /// Whether a string, a table's leg or the other balloon may have cut one balloon into these two.
 bool one_balloon(const Region& a, const Region& b, ImageSize size, const BalloonConfig& config) {
-  Moments both = a.sums;
-  both.add(b.sums);
+  Moments both = a.whole;
+  both.add(b.whole);
   const Blob whole = both.blob(size);
   const Box &one = a.blob.box, &other = b.blob.box;
   // What lies between them, along the axis on which they are farther apart, and may be hidden.
@@ -36,6 +36,11 @@ bool one_balloon(const Region& a, const Region& b, ImageSize size, const Balloon
   const double down = (whole.box.height - one.height - other.height) / whole.box.height;
   const double gap = std::max({across, down, 0.0});
   if (gap > config.gap) return false;
+  constexpr double kLong = 1.75;  // length over width of two parts and what is between
+  if (std::max(whole.box.width, whole.box.height) >
+      kLong * std::min(whole.box.width, whole.box.height)) {
+    return false;
+  }
   constexpr double kRound = 0.97;  // fill of what nothing hides
   if (std::max(fill(a.blob), fill(b.blob)) > kRound) return false;
   // What is cut in two by one edge has two plain parts, with edges of about the same length.
@@ -52,36 +57,109 @@ bool one_balloon(const Region& a, const Region& b, ImageSize size, const Balloon
          fill(both.blob(size)) >= config.joint_fill;
 }
 
-/// Whether what is seen of one thing, in one part or in two, may be a balloon.
-bool shaped(const Moments& sums, const Blob& blob, bool in_parts, const BalloonConfig& config) {
+/// What may be one balloon, in one part or in several.
+struct Candidate {
+  Moments sums;   // of what is surely it
+  Moments whole;  // with its edge
+  double step = 0.0, light = 0.0;
+  bool in_parts = false;
+
+  explicit Candidate(const Region& region)
+      : sums(region.sums),
+        whole(region.whole),
+        step(region.outline.step_share()),
+        light(region.light) {}
+
+  void add(const Region& part) {
+    const auto area = static_cast<double>(whole.area());
+    const auto more = static_cast<double>(part.whole.area());
+    step = (area * step + more * part.outline.step_share()) / (area + more);
+    sums.add(part.sums);
+    whole.add(part.whole);
+  }
+};
+
+/// Whether a thing of its size may be where it is: the farther away, and the smaller, the nearer
+/// is a balloon to the horizon.
+bool placed(const Blob& blob, ImageSize size, const BalloonConfig& config) {
+  const double above = config.horizon * size.height - blob.centroid.y();
+  return above <= config.highest * std::max(blob.box.width, blob.box.height);
+}
+
+/// Whether what is about it is of another colour, as it is about a balloon: next to a brick is
+/// another brick. What is large, or well shaded, may hang before a thing of its colour.
+bool apart(const Candidate& candidate, const Blob& blob, const BalloonConfig& config) {
+  constexpr double kLarge = 400.0;  // pixels
+  if (blob.area >= kLarge) return true;
+  const bool beside = blob.cut.left || blob.cut.right;
+  return (blob.area >= config.small_area || candidate.step >= config.small_step) &&
+         candidate.step + 0.5 * candidate.sums.shading() >=
+             (beside ? config.side_clear : config.clear);
+}
+
+/// Whether what is seen of one thing may be a balloon.
+bool shaped(const Candidate& candidate, const Blob& blob, const BalloonConfig& config) {
   if (blob.area < config.least_area) return false;
+  const double shading = candidate.sums.shading();
   const bool cut = blob.cut.left || blob.cut.top || blob.cut.right || blob.cut.bottom;
-  // Half of it seen, from near and below, a balloon is lit evenly.
+  const bool beside = blob.cut.left || blob.cut.right;
+  // Half of it seen, from near and below, a balloon is lit evenly; so is the side of one.
   const bool near = blob.area >= config.near_area && cut;
-  const double shading =
-      blob.area < config.tiny_area && !cut ? config.tiny_shading : config.shading;
-  if (!near && sums.shading() < shading) return false;
-  if (in_parts) return true;  // together they have the shape
+  constexpr double kPlain = 0.85;  // fill
+  // A balloon is higher than wide, the front of a box or a book is not.
+  const bool wide = blob.box.width > 1.25 * blob.box.height;
+  const double least_shading = blob.area < config.tiny_area && !cut
+                                   ? (wide ? config.wide_shading : config.tiny_shading)
+                               : beside && fill(blob) >= kPlain ? config.side_shading
+                                                                : config.shading;
+  if (!near && shading < least_shading) return false;
   const double length =
       std::max(blob.box.width, blob.box.height) / std::min(blob.box.width, blob.box.height);
+  constexpr double kParts = 55.0;                      // pixels
+  if (candidate.in_parts) return blob.area >= kParts;  // together they have the shape
   const double least = blob.area < config.small_area ? config.small_fill : config.least_fill;
   return fill(blob) >= least && (cut || length <= config.longest);
 }
 
 /// The same of what looks out behind the other balloon, which may be all of its dark underside.
-bool shaped_behind(const Moments& sums, const BalloonConfig& config) {
+bool shaped_behind(const Candidate& candidate, const Blob& blob, const BalloonConfig& config) {
   constexpr double kFaint = 40.0;  // pixels
-  constexpr double kUnderside = -0.4;
-  const auto area = static_cast<double>(sums.area());
-  if (area < config.least_behind) return false;
-  return sums.shading() >= (area < kFaint ? config.behind_shading : kUnderside);
+  constexpr double kUnderside = -0.5;
+  constexpr double kDark = 0.95;      // of the picture's mean level
+  constexpr double kScattered = 0.2;  // fill
+  constexpr double kStep = 0.65;      // share of its outline
+  constexpr double kLarge = 400.0;    // pixels
+  if (blob.area < config.least_behind || fill(blob) < kScattered ||
+      (blob.area < kLarge && candidate.step < kStep)) {
+    return false;
+  }
+  const double shading = candidate.sums.shading();
+  if (shading < 0.0 && blob.area < config.small_area && candidate.light > kDark) return false;
+  return shading >= (blob.area < kFaint ? config.behind_shading : kUnderside);
 }
 
-/// Whether a region lies at the rim of the other balloon, which may hide the rest of it.
+/// Whether a region lies at the rim of the other balloon, which may hide the rest of it. A small
+/// one shares an edge with it.
 bool peeps_out(const Region& region, const Blob& other, const BalloonConfig& config) {
-  constexpr double kCrescent = 0.45;  // fill
-  return region.blob.area < other.area && fill(region.blob) >= kCrescent &&
+  constexpr double kShared = 0.18;  // of its outline
+  const double shared = region.outline.shared_share();
+  if (region.blob.area < config.small_area && shared < kShared) return false;
+  // A thin crescent bends about the other; it shares almost half of its outline with it.
+  constexpr double kThin = 0.3, kThinFill = 0.25, kFill = 0.45;
+  return region.blob.area < other.area &&
+         fill(region.blob) >= (shared >= kThin ? kThinFill : kFill) &&
          Reach(other, config.rim)(region.blob.centroid.x(), region.blob.centroid.y());
+}
+
+/// Whether what looks out on two sides of the other balloon may be one that is behind it, and hence
+/// not much larger.
+bool no_wider(const Candidate& candidate, const Region& part, const Blob& other) {
+  constexpr double kMost = 1.1;
+  const double width = std::max(candidate.whole.right(), part.whole.right()) -
+                       std::min(candidate.whole.left(), part.whole.left()) + 1;
+  const double height = std::max(candidate.whole.bottom(), part.whole.bottom()) -
+                        std::min(candidate.whole.top(), part.whole.top()) + 1;
+  return width <= kMost * other.box.width && height <= kMost * other.box.height;
 }
 
 }  // namespace
@@ -89,33 +167,38 @@ bool peeps_out(const Region& region, const Blob& other, const BalloonConfig& con
 std::optional<Blob> choose_balloon(std::span<Region> regions, Name name, ImageSize size,
                                    const std::optional<Blob>& other, const BalloonConfig& config) {
   std::optional<Blob> best;
-  for (Region& region : regions) region.taken = !region.named || region.name != name;
+  for (Region& region : regions) {
+    region.taken = region.name != name || !(region.named || region.nearly);
+  }
   for (;;) {
     Region* largest = nullptr;
     for (Region& region : regions) {
-      if (!region.taken && (largest == nullptr || region.sums.area() > largest->sums.area())) {
+      if (!region.taken && (largest == nullptr || region.blob.area > largest->blob.area)) {
         largest = &region;
       }
     }
     if (largest == nullptr) return best;
     largest->taken = true;
     const bool behind = other && peeps_out(*largest, *other, config);
-    Moments sums = largest->sums;
-    bool in_parts = false;
+    if (!behind && !largest->named) continue;
+    Candidate candidate(*largest);
     for (Region& part : regions) {
       if (part.taken) continue;
-      if (behind && peeps_out(part, *other, config)) {
+      if (behind && peeps_out(part, *other, config) && no_wider(candidate, part, *other)) {
         part.taken = true;
-        sums.add(part.sums);
-      } else if (!in_parts && one_balloon(*largest, part, size, config)) {
-        in_parts = part.taken = true;  // one thing hides it
-        sums.add(part.sums);
+        candidate.add(part);
+      } else if (!candidate.in_parts && one_balloon(*largest, part, size, config)) {
+        candidate.in_parts = part.taken = true;  // one thing hides it
+        candidate.add(part);
       }
     }
-    const Blob whole = sums.blob(size);
+    Blob blob = candidate.whole.blob(size);
+    blob.colour = candidate.sums.blob(size).colour;  // an edge has some of what is beyond it
     const bool balloon =
-        behind ? shaped_behind(sums, config) : shaped(sums, whole, in_parts, config);
-    if (balloon && (!best || whole.area > best->area)) best = whole;
+        placed(blob, size, config) &&
+        (behind ? shaped_behind(candidate, blob, config)
+                : apart(candidate, blob, config) && shaped(candidate, blob, config));
+    if (balloon && (!best || blob.area > best->area)) best = blob;
   }
 }
 

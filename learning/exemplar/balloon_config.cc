@@ -24,6 +24,14 @@ void BalloonConfig::validate() const {
   require(least_behind >= 1.0, "least_behind_px: must be at least 1");
   require(rim >= 1.0, "rim: must be at least 1");
   require(lowest >= 0.0 && lowest <= 1.0, "lowest: must lie in [0, 1]");
+  require(stained >= 0.0 && stained <= 1.0, "stained: must lie in [0, 1]");
+  require(wide_shading >= -2.0 && wide_shading <= 2.0, "wide_shading: must lie in [-2, 2]");
+  require(side_shading >= -2.0 && side_shading <= 2.0, "side_shading: must lie in [-2, 2]");
+  require(small_step >= 0.0 && small_step <= 1.0, "small_step: must lie in [0, 1]");
+  require(clear >= 0.0 && clear <= 2.0, "clear: must lie in [0, 2]");
+  require(side_clear >= 0.0 && side_clear <= 2.0, "side_clear: must lie in [0, 2]");
+  require(horizon >= 0.0 && horizon <= 1.0, "horizon: must lie in [0, 1]");
+  require(highest >= 0.0, "highest: must not be negative");
   require(gap >= 0.0 && gap < 1.0, "gap: must lie in [0, 1)");
   require(interference > 0.0, "interference: must be positive");
 }

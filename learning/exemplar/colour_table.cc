@@ -55,24 +55,29 @@ ColourTable::ColourTable(const ColourTableConfig& config) : config_(config) {
   }
 }
 
-Name ColourTable::look_up(const Eigen::Vector3d& colour, double most) const noexcept {
+double ColourTable::apart(const Eigen::Vector3d& colour, Name name) const noexcept {
   const double sum = colour.sum();
-  if (!(sum > 0.0)) return Name::kNone;
-  const Eigen::Vector3d shares = colour / sum;
+  if (!(sum > 0.0)) return 1.0;
+  const Line& line = lines_[static_cast<std::size_t>(name)];
+  const Eigen::Vector3d from = colour / sum - line.start;
+  const double along = line.way.dot(from) / std::max(line.way.squaredNorm(), 1e-12);
+  return (from - std::clamp(along, 0.0, 1.0) * line.way).norm();
+}
+
+Name ColourTable::look_up(const Eigen::Vector3d& colour, double most) const noexcept {
+  if (!(colour.sum() > 0.0)) return Name::kNone;
   Name name = Name::kNone;
-  for (std::size_t i = 0; i < kNames; ++i) {
-    const Eigen::Vector3d from = shares - lines_[i].start;
-    const double along = lines_[i].way.dot(from) / std::max(lines_[i].way.squaredNorm(), 1e-12);
-    const double apart = (from - std::clamp(along, 0.0, 1.0) * lines_[i].way).norm();
-    if (apart > most) continue;
-    most = apart;
-    name = static_cast<Name>(i);
+  for (const Name one : {Name::kRed, Name::kGreen}) {
+    const double distance = apart(colour, one);
+    if (distance > most) continue;
+    most = distance;
+    name = one;
   }
   return name;
 }
 
-Name ColourTable::name(const Eigen::Vector3d& colour, double pixels) const noexcept {
-  return look_up(colour, config_.tolerance + config_.grain / std::sqrt(pixels) +
+Name ColourTable::name(const Eigen::Vector3d& colour, double pixels, double more) const noexcept {
+  return look_up(colour, more + config_.tolerance + config_.grain / std::sqrt(pixels) +
                              config_.dark / std::max(colour.sum(), 1.0));
 }
 

@@ -64,10 +64,13 @@ class ColourTable {
 
   explicit ColourTable(const ColourTableConfig& config = {});
 
-  /// Of the mean colour of so many pixels, [0, 255]; black has none.
-  [[nodiscard]] Name name(const Eigen::Vector3d& colour, double pixels = 1e6) const noexcept;
+  /// Of the mean colour of so many pixels, [0, 255]; black has none. It may be `more` off.
+  [[nodiscard]] Name name(const Eigen::Vector3d& colour, double pixels = 1e6,
+                          double more = 0.0) const noexcept;
   /// Of a colour to which something else may have been added.
   [[nodiscard]] Name nearest(const Eigen::Vector3d& colour) const noexcept;
+  /// How far a colour's shares are from those of what is named so; black is 1 apart.
+  [[nodiscard]] double apart(const Eigen::Vector3d& colour, Name name) const noexcept;
   /// Of what is named so.
   [[nodiscard]] const Line& line(Name name) const noexcept {
     return lines_[static_cast<std::size_t>(name)];
