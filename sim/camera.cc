@@ -66,7 +66,9 @@ std::span<const RowBand> Camera::take(World& world, Frame& out) {
 
 const BalloonSights& Camera::balloons(World& world, std::span<const RowBand> spoilt) {
   if (!segmentation_) segmentation_.emplace(world.model(), lens_);
-  return segmentation_->look(world.model(), world.data(), renderer_, spoilt);
+  const CameraMotion motion = motion_of(world.model(), world.data(), world.camera());
+  return segmentation_->look(world.model(), world.data(), renderer_, spoilt,
+                             blur_.field(motion, exposure_.shutter()));
 }
 
 PictureGeometry Camera::geometry() const {

@@ -2,9 +2,9 @@
 #include "sim/segmentation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/check.h"
+#include "sim/motion_blur.h"
 
 namespace pacer::sim {
 namespace {
@@ -45,6 +45,12 @@ void add(int x, int y, bool covered, BalloonSight& sight) {
   ++sight.pixels;
 }
 
+/// Index of the tile of the motion field that holds a pixel.
+std::size_t tile_of(int x, int y, int across) {
+  return static_cast<std::size_t>(y / MotionBlur::kTileHeight * across +
+                                  x / MotionBlur::kTileWidth);
+}
+
 }  // namespace
 
 Segmentation::Segmentation(const mjModel& model, const Lens& lens)
@@ -55,31 +61,33 @@ Segmentation::Segmentation(const mjModel& model, const Lens& lens)
       static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
   labels_.resize(pixels);
   sources_.reserve(pixels);
-  const auto nearest = [](double at, int size) {
-    return static_cast<std::uint32_t>(std::clamp<long>(std::lround(at), 0, size - 1));
-  };
   for (int y = 0; y < size_.height; ++y) {
     for (int x = 0; x < size_.width; ++x) {
-      const Eigen::Vector2d source = lens.source({x, y});
-      sources_.push_back(nearest(source.y(), size_.height) *
-                             static_cast<std::uint32_t>(size_.width) +
-                         nearest(source.x(), size_.width));
+      sources_.emplace_back(lens.source({x, y}).cast<float>());
     }
   }
 }
 
 const BalloonSights& Segmentation::look(const mjModel& model, mjData& data, Renderer& renderer,
-                                        std::span<const RowBand> covered) {
+                                        std::span<const RowBand> covered,
+                                        std::span<const Eigen::Vector2f> field) {
   check(renderer.size() == size_, "the segmentation is of pictures of the lens's size");
   renderer.render_flat(model, data, colours_, kRest, flat_);
   sights_ = {};
+  const int across = (size_.width + MotionBlur::kTileWidth - 1) / MotionBlur::kTileWidth;
+  const Eigen::Array2f last(size_.width - 1, size_.height - 1);
   std::size_t pixel = 0;
   for (int y = 0; y < size_.height; ++y) {
     const bool spoilt = std::ranges::any_of(
         covered, [y](const RowBand& band) { return y >= band.first && y < band.last; });
     if (spoilt) ++sights_.spoilt_rows;
     for (int x = 0; x < size_.width; ++x, ++pixel) {
-      const Label label = label_of(flat_.rgb.data() + std::size_t{3} * sources_[pixel]);
+      Eigen::Vector2f source = sources_[pixel];
+      if (!field.empty()) source += 0.5F * field[tile_of(x, y, across)];
+      const Eigen::Array2i nearest =
+          (source.array() + 0.5F).max(0.0F).min(last).cast<int>();  // rounds
+      const Label label = label_of(flat_.rgb.data() +
+                                   std::ptrdiff_t{3} * (nearest.y() * size_.width + nearest.x()));
       labels_[pixel] = label;
       if (label == Label::kOther) continue;
       add(x, y, spoilt, label == Label::kRed ? sights_.red : sights_.green);

@@ -36,25 +36,29 @@ struct BalloonSights {
 enum class Label : std::uint8_t { kOther = 0, kRed = 1, kGreen = 2 };
 
 /// Tells which pixels of a camera's picture show the balloons: the same scene drawn in flat
-/// colours and brought through the same lens, the nearest pixel of it for each of the picture. The
-/// instant is the one at which the shutter closes; blur is not in it.
+/// colours and brought through the same lens, the nearest pixel of it for each of the picture. A
+/// pixel that motion blurs shows what lies in the middle of the light's way over it: an edge is
+/// where half of the light comes from either side.
 class Segmentation {
  public:
   /// A model without balloons shows none. `lens` is the one that the picture is taken through.
   Segmentation(const mjModel& model, const Lens& lens);
 
-  /// At the instant that `data` holds (as for `renderer.render()`, whose model it is). Pixels in
-  /// the `covered` rows do not show anything. Lives until the next call.
+  /// Of the picture whose shutter closes at the instant that `data` holds (as for
+  /// `renderer.render()`, whose model it is) and in which all moved by `field`, MotionBlur's; with
+  /// none, nothing did. Pixels in the `covered` rows do not show anything. Lives until the next
+  /// call.
   [[nodiscard]] const BalloonSights& look(const mjModel& model, mjData& data, Renderer& renderer,
-                                          std::span<const RowBand> covered = {});
+                                          std::span<const RowBand> covered = {},
+                                          std::span<const Eigen::Vector2f> field = {});
 
   /// Of the last look: height x width, top row first, the interference left out of account.
   [[nodiscard]] std::span<const Label> labels() const noexcept { return labels_; }
 
  private:
   ImageSize size_;
-  std::vector<Rgb> colours_;            // a geom of the model each
-  std::vector<std::uint32_t> sources_;  // for each pixel, the one in what was rendered
+  std::vector<Rgb> colours_;              // a geom of the model each
+  std::vector<Eigen::Vector2f> sources_;  // for each pixel, where it lies in what was rendered
   Frame flat_;
   std::vector<Label> labels_;
   BalloonSights sights_;

@@ -117,6 +117,17 @@ Ellipse ellipse(const Blob& blob) noexcept {
           .angle = 0.5 * std::atan2(2.0 * blob.xy, blob.xx - blob.yy)};
 }
 
+Reach::Reach(const Blob& blob, double times) noexcept
+    : x_(blob.centroid.x()), y_(blob.centroid.y()) {
+  constexpr double kPixel = 1.0;
+  const double xx = blob.xx * times * times + kPixel, yy = blob.yy * times * times + kPixel;
+  const double xy = blob.xy * times * times;
+  const double determinant = xx * yy - xy * xy;
+  a_ = yy / determinant;
+  b_ = -2.0 * xy / determinant;
+  c_ = xx / determinant;
+}
+
 void mark(const Blob& blob, Tone tone, Annotations& annotations) {
   constexpr int kSides = 24;
   const Ellipse shape = ellipse(blob);

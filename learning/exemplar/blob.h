@@ -80,6 +80,20 @@ struct Ellipse {
 };
 [[nodiscard]] Ellipse ellipse(const Blob& blob) noexcept;
 
+/// The same ellipse about the blob, so many `times` as large, and a pixel more for the small.
+class Reach {
+ public:
+  Reach(const Blob& blob, double times) noexcept;
+  /// Whether it holds a pixel.
+  bool operator()(double x, double y) const noexcept {
+    const double u = x - x_, v = y - y_;
+    return a_ * u * u + b_ * u * v + c_ * v * v <= 4.0;  // two deviations: an ellipse's own rim
+  }
+
+ private:
+  double x_, y_, a_, b_, c_;
+};
+
 /// Draws the ellipse of `blob`, with a point in its middle, into `annotations`.
 void mark(const Blob& blob, Tone tone, Annotations& annotations);
 

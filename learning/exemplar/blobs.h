@@ -35,7 +35,7 @@ struct BlobConfig {
 
 /// Finds the homogeneous regions of pictures, after Forssen and Granlund, "Robust Multi-Scale
 /// Extraction of Blob Features" (SCIA 2003): a pyramid of robust means, then regions from its top
-/// down. docs/design/blobs.md says what is different and why.
+/// down. docs/design/percept.md says what is different and why.
 ///
 /// The same frame gives the same blobs, whatever came before. Nothing is allocated after the first
 /// frame of a size. Not for several threads at once.

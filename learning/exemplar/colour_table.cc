@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/exemplar/colour_table.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "core/check.h"
@@ -18,9 +18,9 @@ void validate_entry(const char* field, const NamedColour& entry) {
   }
 }
 
-/// Only once the config is validated are they numbers.
-Eigen::Vector3d shares_of(const NamedColour& entry) {
-  const Eigen::Vector3d colour(entry.red, entry.green, entry.blue);
+/// Of a thing in light that is warmer by `tint`, cooler where that is below 0.
+Eigen::Vector3d shares_of(const NamedColour& entry, double tint) {
+  const Eigen::Vector3d colour(entry.red * (1.0 + tint), entry.green, entry.blue * (1.0 - tint));
   return colour / colour.sum();
 }
 
@@ -31,51 +31,62 @@ void NamedColour::validate() const {
     require(value >= 0.0 && value <= 1e6, std::string(field) + ": must lie in [0, 1e6]");
   }
   require(red + green + blue > 0.0, "red, green, blue: black has no colour to tell it by");
-  require(tolerance >= 0.0 && tolerance <= 1.0, "tolerance: must lie in [0, 1]");
-  require(hue >= 0.0 && hue <= 1.0, "hue: must lie in [0, 1]");
+  require(tint >= 0.0 && tint < 1.0, "tint: must lie in [0, 1)");
   require(dimmest >= 0.0 && dimmest <= 3.0, "dimmest: must lie in [0, 3]");
 }
 
 void ColourTableConfig::validate() const {
   validate_entry("red_balloon", red_balloon);
   validate_entry("green_balloon", green_balloon);
+  require(tolerance >= 0.0 && tolerance <= 1.0, "tolerance: must lie in [0, 1]");
+  require(grain >= 0.0 && grain <= 1.0, "grain: must lie in [0, 1]");
+  require(dark >= 0.0 && dark <= 10.0, "dark: must lie in [0, 10]");
   require(mixed >= 0.0 && mixed <= 1.0, "mixed: must lie in [0, 1]");
 }
 
-ColourTable::ColourTable(const ColourTableConfig& config)
-    : shares_{shares_of(config.red_balloon), shares_of(config.green_balloon)},
-      dimmest_{config.red_balloon.dimmest, config.green_balloon.dimmest} {
+ColourTable::ColourTable(const ColourTableConfig& config) : config_(config) {
   config.validate();
   const std::array<const NamedColour*, kNames> entries = {&config.red_balloon,
                                                           &config.green_balloon};
-  for (int r = 0; r < kSteps; ++r) {
-    for (int g = 0; g < kSteps; ++g) {
-      const double red = (r + 0.5) / kSteps, green = (g + 0.5) / kSteps;
-      const Eigen::Vector3d here(red, green, 1.0 - red - green);
-      const auto at = static_cast<std::size_t>(r * kSteps + g);
-      names_[at] = nearest_[at] = Name::kNone;
-      double least = 2.0;  // farther than any two colours are
-      for (std::size_t i = 0; i < kNames; ++i) {
-        const double apart = (here - shares_[i]).norm();
-        if (apart >= least) continue;
-        least = apart;
-        const Eigen::Vector3d to_white = Eigen::Vector3d::Constant(1.0 / 3.0) - shares_[i];
-        const double across = (here - shares_[i]).cross(to_white.normalized()).norm();
-        const bool within = apart <= entries[i]->tolerance && across <= entries[i]->hue;
-        names_[at] = within ? static_cast<Name>(i) : Name::kNone;
-        nearest_[at] = apart <= config.mixed ? static_cast<Name>(i) : Name::kNone;
-      }
-    }
+  for (std::size_t i = 0; i < kNames; ++i) {
+    const NamedColour& entry = *entries[i];
+    lines_[i].start = shares_of(entry, -entry.tint);
+    lines_[i].way = shares_of(entry, entry.tint) - lines_[i].start;
   }
 }
 
-Name ColourTable::look_up(const Table& table, const Eigen::Vector3d& colour) noexcept {
+double ColourTable::apart(const Eigen::Vector3d& colour, Name name) const noexcept {
   const double sum = colour.sum();
-  if (!(sum > 0.0)) return Name::kNone;
-  const auto step = [&](double channel) {
-    return std::clamp(static_cast<int>(channel / sum * kSteps), 0, kSteps - 1);
-  };
-  return table[static_cast<std::size_t>(step(colour.x()) * kSteps + step(colour.y()))];
+  if (!(sum > 0.0)) return 1.0;
+  const Line& line = lines_[static_cast<std::size_t>(name)];
+  const Eigen::Vector3d from = colour / sum - line.start;
+  const double along = line.way.dot(from) / std::max(line.way.squaredNorm(), 1e-12);
+  return (from - std::clamp(along, 0.0, 1.0) * line.way).norm();
+}
+
+Name ColourTable::look_up(const Eigen::Vector3d& colour, double most) const noexcept {
+  if (!(colour.sum() > 0.0)) return Name::kNone;
+  Name name = Name::kNone;
+  for (const Name one : {Name::kRed, Name::kGreen}) {
+    const double distance = apart(colour, one);
+    if (distance > most) continue;
+    most = distance;
+    name = one;
+  }
+  return name;
+}
+
+Name ColourTable::name(const Eigen::Vector3d& colour, double pixels, double more) const noexcept {
+  return look_up(colour, more + config_.tolerance + config_.grain / std::sqrt(pixels) +
+                             config_.dark / std::max(colour.sum(), 1.0));
+}
+
+Name ColourTable::nearest(const Eigen::Vector3d& colour) const noexcept {
+  return look_up(colour, config_.mixed);
+}
+
+double ColourTable::dimmest(Name name) const noexcept {
+  return name == Name::kRed ? config_.red_balloon.dimmest : config_.green_balloon.dimmest;
 }
 
 }  // namespace pacer::exemplar

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/sensor.h"
 #include "sim/world.h"
 
 namespace pacer::sim {
@@ -161,6 +162,38 @@ TEST_F(SegmentationTest, SmoothEdgesMoveNoMoreThanTheEdge) {
   const BalloonSight smooth = segmentation_.look(world_.model(), world_.data(), fine).red;
   EXPECT_NEAR(smooth.pixels, plain.pixels, 0.05 * plain.pixels);
   EXPECT_LT((smooth.centroid - plain.centroid).norm(), 0.3);
+}
+
+TEST_F(SegmentationTest, ABlurredBalloonIsWhereItsLightIs) {
+  stand_before("red_balloon", 1.0, 0.1);
+  const BalloonSight still = look().red;
+  constexpr std::size_t kTiles = 160 / 20 * 120 / 8;
+  // The camera turned right: all moved left, and was to the right of where it is now.
+  const std::vector<Eigen::Vector2f> field(kTiles, {-6.0F, 0.0F});
+  const BalloonSight moved =
+      segmentation_.look(world_.model(), world_.data(), renderer_, {}, field).red;
+  EXPECT_NEAR(moved.centroid.x() - still.centroid.x(), 3.0, 0.4);
+  EXPECT_NEAR(moved.centroid.y() - still.centroid.y(), 0.0, 0.3);
+
+  // The sensor's own picture of a white balloon on black agrees.
+  std::vector<Rgb> white(static_cast<std::size_t>(world_.model().ngeom), Rgb{0, 0, 0});
+  white[static_cast<std::size_t>(mj_name2id(&world_.model(), mjOBJ_GEOM, "red_balloon"))] = {
+      200, 200, 200};
+  Frame flat, blurred;
+  renderer_.render_flat(world_.model(), world_.data(), white, {0, 0, 0}, flat);
+  Sensor(lens_, 0.0, Random{1}).expose(flat, field, 1.0, blurred);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  int pixels = 0;
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      if (blurred.rgb[3 * static_cast<std::size_t>(y * kSize.width + x)] <= 100) continue;
+      sum += Eigen::Vector2d(x, y);
+      ++pixels;
+    }
+  }
+  ASSERT_GT(pixels, 200);
+  EXPECT_LT((moved.centroid - sum / pixels).norm(), 0.5);
+  EXPECT_NEAR(moved.pixels, pixels, 0.1 * pixels);  // the knot is not in it
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ inline DiscStep any_step(Random& random) {
   const auto disc = [&]() -> std::optional<Disc> {
     if (random.chance(1.0 / 6.0)) return std::nullopt;
     return Disc{.x = random.uniform(15.0, kDiscImage.width - 15.0),
-                .y = random.uniform(20.0, 50.0),
+                .y = random.uniform(32.0, 50.0),  // not far above the horizon
                 .radius = random.uniform(5.0, 12.0)};
   };
   DiscStep step{.red = disc(), .green = disc(), .command = {.steering = 0.9, .throttle = 0.2}};

@@ -119,6 +119,66 @@ TEST(Percept, WhatStandsOnTheFloorIsNoBalloon) {
   EXPECT_FALSE(found(frame).red);
 }
 
+TEST(Percept, ASmallThingFarAboveTheHorizonIsNoBalloon) {
+  Frame frame = wall(kSize);
+  fill_ball(frame, 100.0, 20.0, 5.0, kRedRubber);
+  EXPECT_FALSE(found(frame).red);
+  fill_ball(frame, 100.0, 88.0, 5.0, kRedRubber);
+  EXPECT_TRUE(found(frame).red);
+}
+
+TEST(Percept, WhatIsAmongItsLikeIsNoBalloon) {
+  Frame frame = wall(kSize);
+  // As a brick among bricks: shaded as a balloon is, and about as large.
+  for (const bool among : {true, false}) {
+    if (among) fill_rectangle(frame, 70, 60, 60, 60, {150, 29, 21});
+    if (!among) frame = wall(kSize);
+    fill_ball(frame, 100.0, 88.0, 4.5, kRedRubber);
+    EXPECT_EQ(found(frame).red.has_value(), !among);
+  }
+}
+
+TEST(Percept, APixelAtTheEdgeCountsWhereItIsABalloonByHalf) {
+  for (const double part : {0.3, 0.7}) {
+    Frame frame = wall(kSize);
+    fill_ball(frame, 100.0, 80.0, 16.0, kRedRubber);
+    const double whole = found(frame).red.value().area;
+    // Its right edge moves on by a part of a pixel.
+    for (int y = 66; y < 94; ++y) {
+      int x = 100;
+      while (frame.rgb[3 * static_cast<std::size_t>(y * kSize.width + x) + 1] < 60) ++x;
+      const std::size_t last = 3 * static_cast<std::size_t>(y * kSize.width + x - 1);
+      Rgb mixed{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        mixed[c] = part * frame.rgb[last + c] + (1.0 - part) * kWall[c];
+      }
+      put(frame, x, y, mixed);
+    }
+    EXPECT_NEAR(found(frame).red.value().area, whole + (part > 0.5 ? 28.0 : 0.0), 3.0) << part;
+  }
+}
+
+TEST(Percept, ASliverBehindTheOtherBalloonIsSeen) {
+  Frame frame = wall(kSize);
+  fill_ball(frame, 103.0, 84.0, 16.0, kGreenRubber);
+  fill_ball(frame, 100.0, 80.0, 18.0, kRedRubber);
+  double pixels = 0.0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      const std::size_t at = 3 * static_cast<std::size_t>(y * kSize.width + x);
+      if (frame.rgb[at] > 50) continue;  // green is all else that is dark in red
+      pixels += 1.0;
+      sum += Eigen::Vector2d(x, y);
+    }
+  }
+  ASSERT_GE(pixels, 30.0);
+  ASSERT_LE(pixels, 120.0);
+  const Balloons seen = found(frame);
+  ASSERT_TRUE(seen.red && seen.green);
+  EXPECT_LT((seen.green->centroid - sum / pixels).norm(), 1.0);
+}
+
 TEST(Percept, NoiseHasNoBalloons) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const Balloons seen = found(noise(kSize, Random(seed)));
@@ -183,8 +243,8 @@ TEST(PerceptConfig, ABadValueNamesSectionAndField) {
   };
   PerceptConfig config;
   EXPECT_EQ(message(config), "");
-  config.colours.green_balloon.tolerance = -1.0;
-  EXPECT_TRUE(message(config).starts_with("colours.green_balloon.tolerance")) << message(config);
+  config.colours.green_balloon.tint = -1.0;
+  EXPECT_TRUE(message(config).starts_with("colours.green_balloon.tint")) << message(config);
   config = {};
   config.balloons.lowest = 2.0;
   EXPECT_TRUE(message(config).starts_with("balloons.lowest")) << message(config);
