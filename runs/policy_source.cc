@@ -84,8 +84,14 @@ std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::
     }
     return std::make_unique<exemplar::ExemplarPolicy>(*model, random.fork("exemplar"));
   }
-  if (const auto model = affordances())
+  if (const auto model = affordances()) {
+    if (scenario.what_for() == Goal::kReach) {
+      throw UsageError(fmt::format(
+          "--policy {}: drives without a stop; set goal=follow, as scenarios/follow.yaml does",
+          name_));
+    }
     return std::make_unique<affordance::AffordancePolicy>(model);
+  }
   return std::make_unique<ConstantPolicy>(std::get<Command>(what_));
 }
 

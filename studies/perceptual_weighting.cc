@@ -86,7 +86,7 @@ double unusual(const exemplar::Balloons& seen, const std::array<double, 2>& usua
 std::vector<TestImage> test_images(const StudyContext& context,
                                    const std::array<double, 2>& usual_areas) {
   std::array<std::optional<TestImage>, kImages> chosen;
-  exemplar::BalloonFinder finder(context.scenario.exemplar.percept);
+  exemplar::BalloonFinder finder(exemplar::of_videos(context.scenario.exemplar.percept));
   for (const char* side : {"left", "right"}) {
     const StudyContext one = searching(context, side);
     const dataset::RecordedDemonstration drives(Materials(one).recording(Purpose::kStudy, kUnseen));

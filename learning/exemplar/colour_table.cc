@@ -10,14 +10,6 @@
 namespace pacer::exemplar {
 namespace {
 
-void validate_entry(const char* field, const NamedColour& entry) {
-  try {
-    entry.validate();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string(field) + "." + error.what());
-  }
-}
-
 /// Of a thing in light that is warmer by `tint`, cooler where that is below 0.
 Eigen::Vector3d shares_of(const NamedColour& entry, double tint) {
   const Eigen::Vector3d colour(entry.red * (1.0 + tint), entry.green, entry.blue * (1.0 - tint));
@@ -36,8 +28,8 @@ void NamedColour::validate() const {
 }
 
 void ColourTableConfig::validate() const {
-  validate_entry("red_balloon", red_balloon);
-  validate_entry("green_balloon", green_balloon);
+  validate_section("red_balloon", red_balloon);
+  validate_section("green_balloon", green_balloon);
   require(tolerance >= 0.0 && tolerance <= 1.0, "tolerance: must lie in [0, 1]");
   require(grain >= 0.0 && grain <= 1.0, "grain: must lie in [0, 1]");
   require(dark >= 0.0 && dark <= 10.0, "dark: must lie in [0, 10]");

@@ -7,7 +7,7 @@ namespace pacer::exemplar {
 /// percepts is (n S + w W) / (n + w): S is (5.4), w the prior's weight, and W, the prior, a share
 /// of the covariance within the smallest groups of similar actions (hierarchy.h).
 struct HierarchyConfig {
-  double tau = 35.0;           ///< a model matches within this Mahalanobis distance (5.8)
+  double tau = 45.0;           ///< a model matches within this Mahalanobis distance (5.8)
   double prior_weight = 64.0;  ///< w: as if so many percepts had the prior's covariance
   double prior_scale = 0.07;   ///< W over the groups' covariance; below 1, small nodes are stricter
   double prior_floor = 0.01;   ///< the part of W that is the variance of all percepts instead

@@ -30,13 +30,17 @@ int rows_above_snow(const Frame& frame, double limit) noexcept {
 
 void PerceptConfig::validate() const {
   PerceptConfig copy = *this;
-  copy.fields([](const char* name, auto& section) {
-    try {
-      section.validate();
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(std::string(name) + "." + error.what());
-    }
-  });
+  copy.fields([](const char* name, auto& section) { validate_section(name, section); });
+}
+
+PerceptConfig of_videos(PerceptConfig config) {
+  config.colours.tolerance *= 1.5;
+  config.colours.dark *= 4.0;
+  // Just beyond a balloon's edge its own colour is still about.
+  config.balloons.small_step *= 0.5;
+  config.balloons.clear *= 0.67;
+  config.balloons.side_clear *= 0.6;
+  return config;
 }
 
 Percept percept(const Balloons& balloons) noexcept {

@@ -33,6 +33,11 @@ struct PerceptConfig {
   }
 };
 
+/// The same for pictures that a video codec has had: it smears colour over two pixels and more, and
+/// rounds that of dark ones. What is found is measured likewise, but more of what is no balloon
+/// passes for one.
+[[nodiscard]] PerceptConfig of_videos(PerceptConfig config);
+
 /// The balloons of one picture: a blob each, nothing where one is not seen.
 struct Balloons {
   std::optional<Blob> red;

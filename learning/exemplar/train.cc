@@ -44,7 +44,7 @@ DemonstratedExemplars exemplars_of(const Demonstration& demonstration, const Per
   std::vector<double> percepts;
   std::vector<double> actions;
   std::vector<std::size_t> first;
-  BalloonFinder finder(config);
+  BalloonFinder finder(of_videos(config));  // which is what demonstrations are recorded as
   report.episodes = demonstration.episode_count();
   for (std::size_t episode = 0; episode < report.episodes; ++episode) {
     if (options.stop.stop_requested()) throw TrainingStopped();

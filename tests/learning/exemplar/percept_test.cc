@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <string>
 
 #include "tests/learning/exemplar/painted.h"
@@ -47,6 +49,31 @@ TEST(Percept, HasNineZerosForABalloonThatIsNotSeen) {
   const Percept values = percept(found(frame));
   for (std::size_t i = 0; i < kBalloonValues; ++i) EXPECT_EQ(values[i], 0.0);
   EXPECT_NEAR(values[10], 100.0, 0.4);
+}
+
+/// As a video has it: colour at half the resolution, in whole numbers.
+Frame coded(Frame frame) {
+  cv::Mat rgb(frame.size.height, frame.size.width, CV_8UC3, frame.rgb.data());
+  cv::Mat coded;
+  cv::cvtColor(rgb, coded, cv::COLOR_RGB2YUV_I420);
+  cv::cvtColor(coded, rgb, cv::COLOR_YUV2RGB_I420);
+  return frame;
+}
+
+TEST(Percept, OfAVideoIsThatOfItsPictures) {
+  BalloonFinder finder(of_videos({}));
+  for (const double light : {1.0, 0.6, 0.35}) {
+    Frame frame = room(80.0, 220.0);
+    for (std::uint8_t& level : frame.rgb) {
+      level = static_cast<std::uint8_t>(std::lround(light * level));
+    }
+    const Balloons seen = found(frame);
+    const Balloons& again = finder.find(coded(frame));
+    ASSERT_TRUE(seen.red && seen.green && again.red && again.green) << light;
+    EXPECT_LT((again.red->centroid - seen.red->centroid).norm(), 0.5) << light;
+    EXPECT_LT((again.green->centroid - seen.green->centroid).norm(), 0.5) << light;
+    EXPECT_NEAR(again.red->area, seen.red->area, 0.08 * seen.red->area) << light;
+  }
 }
 
 TEST(Percept, TellsWhatItWasMadeOf) {

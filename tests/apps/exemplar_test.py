@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Learning the percept-action hierarchy from clicks, looking at it, correcting it, driving by it."""
+
+import pathlib
+
+from pacer_command import (BAD_USAGE, FAILED, MODEL, SCENARIO, CommandTest, main, settings)
+
+BALLOON = pathlib.Path(SCENARIO).with_name("balloon.yaml")
+NEAR = settings(simulated__camera__width_px=160, simulated__camera__height_px=120,
+                simulated__world__placement__distance_m="[1.2, 2.0]")
+
+
+class Exemplars(CommandTest):
+
+    def learn(self, name, seed, *more):
+        clicks = self.scratch / f"{name}-clicks"
+        self.pacer("collect", BALLOON, "--out", clicks, "--episodes", 3, "--seed", seed, *NEAR)
+        model = self.scratch / f"{name}.model"
+        self.pacer("train", "exemplar", clicks, "--out", model, *more)
+        return model
+
+    def test_a_hierarchy_is_learnt_looked_at_corrected_and_driven(self):
+        model = self.learn("clicks", 1)
+        about = self.json_of("inspect", model)
+        self.assertGreater(about["exemplars"], 10)
+        sheet = self.scratch / "hierarchy.png"
+        self.pacer("inspect", model, "--sheet", sheet)
+        self.assertTrue(sheet.read_bytes().startswith(b"\x89PNG"))
+
+        corrected = self.learn("more", 2, "--onto", model)
+        self.assertGreater(self.json_of("inspect", corrected)["exemplars"], about["exemplars"])
+
+        found = self.json_of("evaluate", BALLOON, *NEAR, "--policy", corrected, "mean",
+                             "--episodes", 2, "--clips", 0)["policies"]
+        self.assertGreater(found["more"]["impulses"]["value"], 0.0)
+
+    def test_the_same_clicks_make_the_same_bytes(self):
+        one = self.learn("clicks", 1)
+        other = self.scratch / "other.model"
+        self.pacer("train", "exemplar", self.scratch / "clicks-clicks", "--out", other)
+        self.assertEqual(one.read_bytes(), other.read_bytes())
+
+    def test_a_model_of_the_other_task_is_refused(self):
+        model = self.learn("clicks", 1)
+        self.assertIn("set goal=reach", self.refusal(
+            "drive", SCENARIO, "--policy", model, status=BAD_USAGE))
+        self.assertIn("set goal=follow", self.refusal(
+            "drive", BALLOON, *NEAR, "--policy", MODEL, status=BAD_USAGE))
+        self.assertIn("not an exemplar model", self.refusal(
+            "train", "exemplar", self.scratch / "clicks-clicks", "--onto", MODEL, "--out",
+            self.scratch / "x.model", status=FAILED))
+
+    def test_damaged_models_are_refused(self):
+        whole = self.learn("clicks", 1).read_bytes()
+        damaged = self.scratch / "damaged.model"
+        for size in (0, 7, 100, len(whole) // 2, len(whole) - 1):
+            damaged.write_bytes(whole[:size])
+            self.assertIn("damaged.model", self.refusal("inspect", damaged, status=FAILED))
+
+
+if __name__ == "__main__":
+    main()
