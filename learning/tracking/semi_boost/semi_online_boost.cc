@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/check.h"
 #include "core/random.h"
 #include "learning/tracking/semi_boost/first_picture.h"
 #include "learning/tracking/semi_boost/offline_boosting.h"
@@ -32,10 +31,10 @@ class SemiOnlineBoost final : public Tracker {
     box_ = target;
     from_patch_ = cv::Point2d(target.x - patch_.x, target.y - patch_.y);
     found_ = true;
-    require(patch_.area() >= 2, "a box of a pixel or less has nothing that features could tell");
+    if (patch_.area() < 2) return;
 
     const FirstPicture samples(picture.grey, patch_, random.fork("samples"));
-    require(!samples.background().empty(), "a box that leaves no background to tell it from");
+    if (samples.background().empty()) return;
     const ImageSize size{patch_.width, patch_.height};
     Random features = random.fork("prior");
     prior_ =
@@ -53,6 +52,7 @@ class SemiOnlineBoost final : public Tracker {
   }
 
   Track follow(const Picture& picture) override {
+    if (!online_) return {.box = box_, .confidence = 0.0};
     image_.set(picture.grey);
     const cv::Rect whole({}, picture.grey.size());
     const cv::Rect region = found_ ? twice(patch_) & whole : whole;
@@ -78,7 +78,7 @@ class SemiOnlineBoost final : public Tracker {
 
   std::uint64_t seed_;
   StrongClassifier prior_;
-  std::optional<OnlineBooster> online_;
+  std::optional<OnlineBooster> online_;  // none: nothing to follow
   PatchSearch search_;
   IntegralImage image_;
   cv::Rect patch_;          // where the target is, or was last seen
