@@ -56,8 +56,8 @@ Frame percept_of(const exemplar::Percept& percept, ImageSize size) {
 
 }  // namespace
 
-void add_stages(const Frame& frame, const std::string& caption, std::vector<report::Tiled>& tiles) {
-  exemplar::BalloonFinder finder;
+void add_stages(const Frame& frame, const std::string& caption, exemplar::BalloonFinder& finder,
+                std::vector<report::Tiled>& tiles) {
   const exemplar::Balloons& balloons = finder.find(frame);
   tiles.push_back({.frame = frame, .caption = caption});
   tiles.push_back({.frame = blobs_of(finder, frame.size),

@@ -141,7 +141,7 @@ WorldResult look_about(const StudyContext& context, std::uint32_t index) {
   config.world.lead = false;
   const std::vector<std::string>& kinds = sim::room_kinds();
   config.world.room.kinds = {kinds[index % kinds.size()]};
-  exemplar::BalloonFinder finder;
+  exemplar::BalloonFinder finder(context.scenario.exemplar.percept);
   MserBalloons mser;
   WorldResult result;
   int number = 0;
@@ -217,7 +217,7 @@ Findings look(const StudyContext& context) {
       context.control.stop,
       [&] { context.control.progress(done, kWorlds * kPictures, "pictures looked at"); });
   if (!whole) throw StudyStopped();
-  exemplar::BalloonFinder finder;
+  exemplar::BalloonFinder finder(context.scenario.exemplar.percept);
   findings.ms =
       median_ms(findings.first, kTimed, [&](const Frame& frame) { (void)finder.find(frame); });
   MserBalloons mser;
@@ -248,12 +248,13 @@ report::Table table_of(const Findings& findings) {
   return table;
 }
 
-void show(const Findings& findings, report::Page& page) {
+void show(const Findings& findings, exemplar::BalloonFinder& finder, report::Page& page) {
   constexpr std::size_t kExamples = 9;
   constexpr std::size_t kMostWrong = 48;
   std::vector<report::Tiled> examples;
   for (std::size_t i = 0; i < findings.first.size() && examples.size() < 3 * kExamples; ++i) {
-    add_stages(findings.first[i], "", examples);
+    const exemplar::Balloons& seen = finder.find(findings.first[i]);
+    if (seen.red && seen.green) add_stages(findings.first[i], "", finder, examples);
   }
   page.section("Figure 5.10: frame, blobs, percept")
       .figure({.bytes = report::encode_png(report::contact_sheet(examples, 3)),
@@ -265,7 +266,7 @@ void show(const Findings& findings, report::Page& page) {
   if (findings.wrong.empty()) return;
   std::vector<report::Tiled> tiles;
   for (std::size_t i = 0; i < std::min(kMostWrong, findings.wrong.size()); ++i) {
-    add_stages(findings.wrong[i].frame, findings.wrong[i].caption, tiles);
+    add_stages(findings.wrong[i].frame, findings.wrong[i].caption, finder, tiles);
   }
   wrong.figure({.bytes = report::encode_png(report::contact_sheet(tiles, 3)), .caption = {}});
 }
@@ -303,7 +304,8 @@ StudyResult study_blobs(const StudyContext& context, report::Page& page) {
               static_cast<double>(ours.falsely), 0.0),
       at_most("median_ms", "a picture of 320 x 240 to its percept on one core", findings.ms, 3.0)};
   page.section("Beside OpenCV").table(table_of(findings));
-  show(findings, page);
+  exemplar::BalloonFinder finder(context.scenario.exemplar.percept);
+  show(findings, finder, page);
   return result;
 }
 

@@ -6,8 +6,11 @@
 
 namespace pacer::tracking {
 
-FreshGenerators::FreshGenerators() : cv_(cv::RNG().state) {
-  char* const process = initstate(1, rand_.data(), rand_.size());  // rand()'s seed unless told
+FreshGenerators::FreshGenerators(std::uint64_t seed) : cv_(cv::RNG().state) {
+  constexpr std::uint64_t kApart = 0x9E3779B97F4A7C15;  // the golden ratio: any two are far apart
+  cv_ += kApart * (seed - 1);
+  const auto rand_seed = static_cast<unsigned>(seed ^ (seed >> 32U));  // rand() itself begins at 1
+  char* const process = initstate(rand_seed, rand_.data(), rand_.size());
   setstate(process);
 }
 

@@ -7,11 +7,12 @@
 namespace pacer::tracking {
 
 /// OpenCV's trackers draw from rand() and cv::theRNG(), which the whole process shares. Each gets
-/// the two as they are when a program starts, lent for the time of a call: its tracks are those of
-/// a program of its own, whatever else runs in turns with it. Nothing of ours draws from either.
+/// two of its own, lent for the time of a call, whatever else runs in turns with it. With seed 1
+/// they are as when a program starts, so that its tracks are those of one. Nothing of ours draws
+/// from either.
 class FreshGenerators {
  public:
-  FreshGenerators();
+  explicit FreshGenerators(std::uint64_t seed);
   FreshGenerators(const FreshGenerators&) = delete;
   FreshGenerators& operator=(const FreshGenerators&) = delete;
 

@@ -66,12 +66,12 @@ struct Library {
 
 class OpencvPeer final : public Peer {
  public:
-  explicit OpencvPeer(const Library& library) : library_(library) {}
+  OpencvPeer(const Library& library, std::uint64_t seed) : library_(library), seed_(seed) {}
 
  private:
   bool start_library(const Picture& picture, const cv::Rect& target) override {
     if (!library_.fits(target, picture.grey.size())) return false;
-    generators_.emplace();
+    generators_.emplace(seed_);
     const FreshGenerators::Loan loan(*generators_);
     tracker_ = library_.make();
     return tracker_->init(input(picture), target);
@@ -91,15 +91,16 @@ class OpencvPeer final : public Peer {
   }
 
   Library library_;
+  std::uint64_t seed_;
   std::optional<FreshGenerators> generators_;
   cv::Ptr<cv::legacy::Tracker> tracker_;
 };
 
 template <class Kind>
-std::unique_ptr<Tracker> make_peer(Input input,
+std::unique_ptr<Tracker> make_peer(std::uint64_t seed, Input input,
                                    bool (*fits)(const cv::Rect& target, const cv::Size& picture)) {
   const auto make = []() -> cv::Ptr<cv::legacy::Tracker> { return Kind::create(); };
-  return std::make_unique<OpencvPeer>(Library{.make = make, .input = input, .fits = fits});
+  return std::make_unique<OpencvPeer>(Library{.make = make, .input = input, .fits = fits}, seed);
 }
 
 }  // namespace
@@ -108,26 +109,26 @@ namespace legacy = cv::legacy;
 
 // Boosting and TLD make grey of what they are given, but take colour only. MIL reads the first
 // channel, blue: people hand it colour. MOSSE and MedianFlow work on grey.
-std::unique_ptr<Tracker> make_boosting(std::uint64_t /*seed*/) {
-  return make_peer<legacy::TrackerBoosting>(Input::kColour, fits_haar);
+std::unique_ptr<Tracker> make_boosting(std::uint64_t seed) {
+  return make_peer<legacy::TrackerBoosting>(seed, Input::kColour, fits_haar);
 }
-std::unique_ptr<Tracker> make_mil(std::uint64_t /*seed*/) {
-  return make_peer<legacy::TrackerMIL>(Input::kColour, fits_mil);
+std::unique_ptr<Tracker> make_mil(std::uint64_t seed) {
+  return make_peer<legacy::TrackerMIL>(seed, Input::kColour, fits_mil);
 }
-std::unique_ptr<Tracker> make_kcf(std::uint64_t /*seed*/) {
-  return make_peer<legacy::TrackerKCF>(Input::kColour, fits_any);
+std::unique_ptr<Tracker> make_kcf(std::uint64_t seed) {
+  return make_peer<legacy::TrackerKCF>(seed, Input::kColour, fits_any);
 }
-std::unique_ptr<Tracker> make_csrt(std::uint64_t /*seed*/) {
-  return make_peer<legacy::TrackerCSRT>(Input::kColour, fits_any);
+std::unique_ptr<Tracker> make_csrt(std::uint64_t seed) {
+  return make_peer<legacy::TrackerCSRT>(seed, Input::kColour, fits_any);
 }
-std::unique_ptr<Tracker> make_mosse(std::uint64_t /*seed*/) {
-  return make_peer<legacy::TrackerMOSSE>(Input::kGrey, fits_any);
+std::unique_ptr<Tracker> make_mosse(std::uint64_t seed) {
+  return make_peer<legacy::TrackerMOSSE>(seed, Input::kGrey, fits_any);
 }
-std::unique_ptr<Tracker> make_median_flow(std::uint64_t /*seed*/) {
-  return make_peer<legacy::TrackerMedianFlow>(Input::kGrey, fits_any);
+std::unique_ptr<Tracker> make_median_flow(std::uint64_t seed) {
+  return make_peer<legacy::TrackerMedianFlow>(seed, Input::kGrey, fits_any);
 }
-std::unique_ptr<Tracker> make_tld(std::uint64_t /*seed*/) {
-  return make_peer<legacy::TrackerTLD>(Input::kColour, fits_tld);
+std::unique_ptr<Tracker> make_tld(std::uint64_t seed) {
+  return make_peer<legacy::TrackerTLD>(seed, Input::kColour, fits_tld);
 }
 
 }  // namespace pacer::tracking

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -34,20 +36,29 @@ inline void paint(const DiscStep& step, std::uint64_t index, Frame& frame) {
   frame.time = Seconds{static_cast<double>(index) / kRate};
   frame.size = kDiscImage;
   frame.rgb.clear();
-  for (int y = 0; y < kDiscImage.height; ++y) {
-    for (int x = 0; x < kDiscImage.width; ++x) {
-      double rgb[3] = {150.0, 146.0, 140.0};
-      for (const auto& [disc, red, green, blue] :
-           {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 180.0, 15.0, 17.0}}) {
-        if (!*disc) continue;
-        const double outside = std::hypot(x - (*disc)->x, y - (*disc)->y) - (*disc)->radius;
+  for (int pixel = 0; pixel < kDiscImage.width * kDiscImage.height; ++pixel) {
+    frame.rgb.insert(frame.rgb.end(), {150, 146, 140});
+  }
+  for (const auto& [disc, red, green, blue] :
+       {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 180.0, 15.0, 17.0}}) {
+    if (!*disc) continue;
+    const auto [x0, y0, radius] = **disc;
+    const int left = std::max(0, static_cast<int>(x0 - radius) - 1);
+    const int right = std::min(kDiscImage.width, static_cast<int>(x0 + radius) + 3);
+    const int top = std::max(0, static_cast<int>(y0 - radius) - 1);
+    const int bottom = std::min(kDiscImage.height, static_cast<int>(y0 + radius) + 3);
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) {
+        const double outside = std::hypot(x - x0, y - y0) - radius;
         const double share = std::min(1.0, std::max(0.0, 0.5 - outside));
-        const double shade = 1.0 - 0.35 * (y - (*disc)->y) / (*disc)->radius;  // lit from above
+        const double shade = 1.0 - 0.35 * (y - y0) / radius;  // lit from above
         const double colour[3] = {red, green, blue};
-        for (int i = 0; i < 3; ++i) rgb[i] += share * (shade * colour[i] - rgb[i]);
+        std::uint8_t* const rgb = frame.rgb.data() + std::ptrdiff_t{3} * (y * kDiscImage.width + x);
+        for (int i = 0; i < 3; ++i) {
+          rgb[i] =
+              static_cast<std::uint8_t>(std::lround(rgb[i] + share * (shade * colour[i] - rgb[i])));
+        }
       }
-      for (const double value : rgb)
-        frame.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
     }
   }
 }

@@ -25,19 +25,28 @@ TEST(FreshGenerators, DrawAsAProgramThatStarts) {
   cv::theRNG() = cv::RNG();
   const std::vector<unsigned> first = draw();
   const std::vector<unsigned> second = draw();
-  FreshGenerators generators;
+  FreshGenerators generators(1);
   EXPECT_EQ(draw_from(generators), first);
   EXPECT_EQ(draw_from(generators), second);
 }
 
 TEST(FreshGenerators, KeepApart) {
-  FreshGenerators one;
-  FreshGenerators other;
+  FreshGenerators one(1);
+  FreshGenerators other(1);
   const std::vector<unsigned> first = draw_from(one);
   const std::vector<unsigned> second = draw_from(one);
   EXPECT_EQ(draw_from(other), first);
   EXPECT_EQ(draw_from(other), second);
   EXPECT_NE(first, second);
+}
+
+TEST(FreshGenerators, DrawOtherwiseWithAnotherSeed) {
+  FreshGenerators one(1);
+  FreshGenerators other(2);
+  const std::vector<unsigned> first = draw_from(one);
+  const std::vector<unsigned> second = draw_from(other);
+  EXPECT_NE(first[0], second[0]);
+  EXPECT_NE(first[2], second[2]);
 }
 
 TEST(FreshGenerators, LeaveTheProcesssAsTheyWere) {
@@ -48,7 +57,7 @@ TEST(FreshGenerators, LeaveTheProcesssAsTheyWere) {
   seed();
   const std::vector<unsigned> undisturbed = draw();
   seed();
-  FreshGenerators generators;
+  FreshGenerators generators(1);
   static_cast<void>(draw_from(generators));
   {
     const FreshGenerators::Loan loan(generators);
