@@ -55,6 +55,21 @@ TEST_F(Correspondences, FindWhatTheColourTableNames) {
   EXPECT_GE(same, all * 9 / 10) << "what is as no exemplar was is left out";
 }
 
+TEST_F(Correspondences, OneOddExemplarDoesNotMakeOddBlobsFit) {
+  Exemplars exemplars = exemplars_of(DiscDemonstration::any(20, 15, 3), {}).exemplars;
+  Blob odd;
+  odd.area = 4000.0;
+  odd.centroid = {80.0, 60.0};
+  odd.xx = odd.yy = 320.0;
+  odd.colour = {60.0, 55.0, 200.0};
+  const std::vector<double> action = {0.0, 0.2};
+  exemplars.add(percept({.red = odd, .green = {}}), action);
+  odd.area = 3900.0;  // a bit less odd
+  odd.colour[2] = 195.0;
+  const std::vector<Blob> blobs = {odd};
+  EXPECT_FALSE(Correspondence(exemplars).match(blobs).red);
+}
+
 TEST_F(Correspondences, GiveNoBlobTwice) {
   testing::Disc disc{.x = 80, .y = 40, .radius = 9};
   const Balloons found = match({.red = disc, .green = std::nullopt, .command = {}});

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <string>
+#include <vector>
 
+#include "dataset/video.h"
 #include "tests/learning/exemplar/painted.h"
+#include "tests/support/scratch.h"
 
 namespace pacer::exemplar {
 namespace {
@@ -51,29 +53,42 @@ TEST(Percept, HasNineZerosForABalloonThatIsNotSeen) {
   EXPECT_NEAR(values[10], 100.0, 0.4);
 }
 
-/// As a video has it: colour at half the resolution, in whole numbers.
-Frame coded(Frame frame) {
-  cv::Mat rgb(frame.size.height, frame.size.width, CV_8UC3, frame.rgb.data());
-  cv::Mat coded;
-  cv::cvtColor(rgb, coded, cv::COLOR_RGB2YUV_I420);
-  cv::cvtColor(coded, rgb, cv::COLOR_YUV2RGB_I420);
-  return frame;
+/// The same pictures, out of a dataset's video.
+std::vector<Frame> recorded(const std::vector<Frame>& frames) {
+  const pacer::testing::Scratch scratch;
+  dataset::VideoEncoder encoder(scratch / "video.mp4", kSize, 25);
+  for (const Frame& frame : frames) encoder.write(frame);
+  encoder.close();
+  dataset::VideoDecoder decoder(scratch / "video.mp4");
+  std::vector<Frame> read(frames.size());
+  for (Frame& frame : read) EXPECT_TRUE(decoder.next(frame));
+  return read;
 }
 
 TEST(Percept, OfAVideoIsThatOfItsPictures) {
-  BalloonFinder finder(of_videos({}));
-  for (const double light : {1.0, 0.6, 0.35}) {
-    Frame frame = room(80.0, 220.0);
-    for (std::uint8_t& level : frame.rgb) {
-      level = static_cast<std::uint8_t>(std::lround(light * level));
+  std::vector<Frame> frames;
+  for (const double light : {1.0, 0.6, 0.35, 0.25}) {
+    for (double red_x = 60.0; red_x < 150.0; red_x += 12.3) {
+      Frame& frame = frames.emplace_back(room(red_x, 300.0 - red_x));
+      for (std::uint8_t& level : frame.rgb) {
+        level = static_cast<std::uint8_t>(std::lround(light * level));
+      }
     }
-    const Balloons seen = found(frame);
-    const Balloons& again = finder.find(coded(frame));
-    ASSERT_TRUE(seen.red && seen.green && again.red && again.green) << light;
-    EXPECT_LT((again.red->centroid - seen.red->centroid).norm(), 0.5) << light;
-    EXPECT_LT((again.green->centroid - seen.green->centroid).norm(), 0.5) << light;
-    EXPECT_NEAR(again.red->area, seen.red->area, 0.08 * seen.red->area) << light;
   }
+  const std::vector<Frame> videos = recorded(frames);
+  BalloonFinder finder(of_videos({}));
+  int missed = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Balloons seen = found(frames[i]);
+    const Balloons& again = finder.find(videos[i]);
+    ASSERT_TRUE(seen.red && seen.green && again.red && again.green) << i;
+    EXPECT_LT((again.red->centroid - seen.red->centroid).norm(), 2.0) << i;
+    EXPECT_LT((again.green->centroid - seen.green->centroid).norm(), 2.0) << i;
+    EXPECT_NEAR(again.red->area, seen.red->area, 0.15 * seen.red->area) << i;
+    const Balloons without = found(videos[i]);
+    missed += without.red && without.green ? 0 : 1;
+  }
+  EXPECT_GT(missed, 0) << "or the allowance is not needed";
 }
 
 TEST(Percept, TellsWhatItWasMadeOf) {

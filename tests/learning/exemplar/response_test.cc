@@ -65,7 +65,7 @@ TEST(Responder, TurnsRoundWhereThePerceptIsClear) {
   }
   const Hierarchy hierarchy(Exemplars(2, 2, percepts, actions), HierarchyConfig{});
   Searcher searcher(hierarchy);
-  Responder responder(hierarchy, 0.02 * Eigen::Matrix2d::Identity(), {.choose = "consistent"},
+  Responder responder(hierarchy, 0.001 * Eigen::Matrix2d::Identity(), {.choose = "consistent"},
                       Random(1));
   for (const double side : {1.0, 1.0, -1.0, 1.0}) {
     const std::vector<double> percept = {5.1 * side, 0.1};

@@ -71,6 +71,20 @@ TEST(CascadeTracker, JumpsAsFarAsItsRegionGoes) {
   EXPECT_LT(centre_distance(track.box, box_at(156.0, 96.0)), 2.0);
 }
 
+TEST(CascadeTracker, ATargetFoundAgainIsDoubtedAfreshBeforeItIsLostAgain) {
+  const Stage stage;
+  CascadeConfig config;
+  config.lost_below = 0.9999;  // everything is doubtful
+  CascadeTracker tracker(config, 1);
+  tracker.start(stage.with(160.0, 120.0), box_at(160.0, 120.0));
+  int lost = 0;
+  for (int t = 0; t < 60; ++t) {
+    lost += tracker.update(stage.with(160.0, 120.0)).confidence == 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(lost, 0);
+  EXPECT_LE(lost, 60 / config.patience);
+}
+
 TEST(CascadeTracker, SaysThatItIsLostAndFindsTheTargetAgain) {
   const Stage stage;
   CascadeTracker tracker({}, 1);
