@@ -35,10 +35,14 @@ inline void paint(const DiscStep& step, std::uint64_t index, Frame& frame) {
   frame.index = index;
   frame.time = Seconds{static_cast<double>(index) / kRate};
   frame.size = kDiscImage;
-  frame.rgb.clear();
-  for (int pixel = 0; pixel < kDiscImage.width * kDiscImage.height; ++pixel) {
-    frame.rgb.insert(frame.rgb.end(), {150, 146, 140});
-  }
+  static const std::vector<std::uint8_t> kWall = [] {
+    std::vector<std::uint8_t> wall;
+    for (int pixel = 0; pixel < kDiscImage.width * kDiscImage.height; ++pixel) {
+      wall.insert(wall.end(), {150, 146, 140});
+    }
+    return wall;
+  }();
+  frame.rgb = kWall;
   for (const auto& [disc, red, green, blue] :
        {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 180.0, 15.0, 17.0}}) {
     if (!*disc) continue;

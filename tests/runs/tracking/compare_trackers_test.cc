@@ -196,9 +196,10 @@ TEST_F(CompareTrackers, KeepWhatEachHadWhenStopped) {
   EXPECT_FALSE(found.whole);
   ASSERT_EQ(found.runs.size(), 4U) << "one a tracker and target, in their order";
   EXPECT_EQ(told, 4U);
+  // Which of the two had begun by then is chance.
+  EXPECT_GT(found.runs[0].run.tracks.size() + found.runs[1].run.tracks.size(), 1U);
   for (std::size_t i : {0U, 1U}) {
     EXPECT_FALSE(found.runs[i].run.whole);
-    EXPECT_GT(found.runs[i].run.tracks.size(), 1U) << i;
     EXPECT_LT(found.runs[i].run.tracks.size(), 80U) << i;
     EXPECT_EQ(found.runs[i].score.scored, found.runs[i].run.tracks.size()) << "no more is judged";
   }
