@@ -32,7 +32,10 @@ if(PACER_COVERAGE)
   target_link_options(pacer_options INTERFACE $<BUILD_INTERFACE:--coverage>)
 endif()
 
-# pacer_library(NAME source...): one static library a module, pacer_NAME, alias pacer::NAME.
+# pacer_library(NAME source...): one static library a module, pacer_NAME, alias pacer::NAME. Under a
+# sanitizer the modules that compose what others compute are not optimised, nor are test programs:
+# that halves the time that building them takes.
+set(_composing scenarios runs tracking_runs report progress studies)
 function(pacer_library name)
   add_library(pacer_${name} STATIC ${ARGN})
   add_library(pacer::${name} ALIAS pacer_${name})
@@ -41,6 +44,9 @@ function(pacer_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pacer>)
   target_link_libraries(pacer_${name} PUBLIC pacer_options)
+  if(PACER_SANITIZE AND name IN_LIST _composing)
+    target_compile_options(pacer_${name} PRIVATE -O0)
+  endif()
 endfunction()
 
 # pacer_test(NAME LABEL label... LIBS target... SOURCES file... [TOGETHER suite...] [TIMEOUT s]):
@@ -61,7 +67,7 @@ function(pacer_test name)
     add_dependencies(plain_tests ${name})
   endif()
   if(PACER_SANITIZE)
-    target_compile_options(${name} PRIVATE -O0)  # halves the time that building takes
+    target_compile_options(${name} PRIVATE -O0)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 900)
     return()

@@ -27,7 +27,7 @@ using exemplar::Percept;
 constexpr std::size_t kClasses = 3;
 constexpr std::array<const char*, kClasses> kNames = {"turn left", "straight ahead", "turn right"};
 constexpr std::size_t kImages = 6;     // two a class
-constexpr std::uint64_t kTaught = 40;  // demonstrations, with either side searched
+constexpr std::uint64_t kTaught = 80;  // demonstrations, with either side searched
 constexpr std::uint64_t kUnseen = 20;  // drives that the images are of, with either side searched
 
 /// The same task, taught by one who looks for the balloon towards `side`. Both sides make as many
@@ -82,7 +82,7 @@ double unusual(const exemplar::Balloons& seen, const std::array<double, 2>& usua
 }
 
 /// Of unseen drives: for each third of the picture that the red balloon is in, the two with
-/// balloons of the most usual size, the green one in the left half and in the right half.
+/// whole balloons of the most usual size, the green one in the left half and in the right half.
 std::vector<TestImage> test_images(const StudyContext& context,
                                    const std::array<double, 2>& usual_areas) {
   std::array<std::optional<TestImage>, kImages> chosen;
@@ -97,6 +97,7 @@ std::vector<TestImage> test_images(const StudyContext& context,
       while (const ImpulseExemplar* impulse = impulses.next()) {
         const exemplar::Balloons& seen = finder.find(*impulse->frame);
         if (!seen.red || !seen.green || !finder.whole()) continue;
+        if (seen.red->cut != exemplar::Sides{} || seen.green->cut != exemplar::Sides{}) continue;
         // Well inside its third, so that there is one thing to do about it.
         const double aside = seen.red->centroid.x() / width - 0.5;
         const std::size_t third = aside < -0.12 ? 0 : aside > 0.12 ? 2 : 1;

@@ -12,7 +12,7 @@
 namespace pacer::exemplar {
 namespace {
 
-constexpr std::size_t kBucket = 16;  // means at most
+constexpr std::size_t kBucket = 32;  // means at most
 constexpr std::size_t kLanes = 4;
 using Lanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
 
@@ -71,16 +71,12 @@ NodeIndex::NodeIndex(const Hierarchy& hierarchy)
   std::iota(order.begin(), order.end(), 0U);
   build(points, order, 0, 0);
   nodes_.resize(twigs.size());
-  heads_.resize(twigs.size() * kBounded);
-  tails_.resize(twigs.size() * (padded_ - kBounded));
+  means_.resize(twigs.size() * padded_);
   lines_.resize(twigs.size() * padded_);
   for (std::size_t t = 0; t < twigs.size(); ++t) {
     nodes_[t] = twigs[order[t]];
     const auto mean = std::span(points).subspan(order[t] * padded_, padded_);
-    std::ranges::copy(mean.first(kBounded),
-                      heads_.begin() + static_cast<std::ptrdiff_t>(t * kBounded));
-    std::ranges::copy(mean.subspan(kBounded),
-                      tails_.begin() + static_cast<std::ptrdiff_t>(t * (padded_ - kBounded)));
+    std::ranges::copy(mean, means_.begin() + static_cast<std::ptrdiff_t>(t * padded_));
     write_line(hierarchy, nodes_[t], std::span(lines_).subspan(t * padded_, padded_));
   }
 }
@@ -165,20 +161,21 @@ void NodeIndex::prefetch_halves(std::size_t box) const noexcept {
 
 void NodeIndex::prefetch_bucket(std::size_t box) const noexcept {
   constexpr std::size_t kLine = 16;  // floats of a cache line
-  for (std::size_t i = begin(box) * kBounded; i < end(box) * kBounded; i += kLine) {
-    __builtin_prefetch(&heads_[i]);
+  for (std::size_t i = begin(box) * padded_; i < end(box) * padded_; i += kLine) {
+    __builtin_prefetch(&means_[i]);
   }
 }
 
 float NodeIndex::to_mean(std::size_t mean, const float* point, float bound) const noexcept {
-  const float* const head = &heads_[mean * kBounded];
-  const Lanes first = loaded(point) - loaded(head);
-  const Lanes second = loaded(point + kLanes) - loaded(head + kLanes);
-  Lanes sum = first * first + second * second;
+  const float* const row = &means_[mean * padded_];
+  Lanes sum{};
+  for (std::size_t i = 0; i < kBounded; i += kLanes) {
+    const Lanes difference = loaded(point + i) - loaded(row + i);
+    sum += difference * difference;
+  }
   if (const float known = sum_of(sum); known >= bound) return known;
-  const float* const tail = tails_.data() + mean * (padded_ - kBounded);
   for (std::size_t i = kBounded; i < padded_; i += kLanes) {
-    const Lanes difference = loaded(point + i) - loaded(tail + i - kBounded);
+    const Lanes difference = loaded(point + i) - loaded(row + i);
     sum += difference * difference;
   }
   return sum_of(sum);
@@ -187,12 +184,10 @@ float NodeIndex::to_mean(std::size_t mean, const float* point, float bound) cons
 float NodeIndex::to_model(std::size_t mean, float to_mean, const float* point) const noexcept {
   const float* const line = &lines_[mean * padded_];
   if (*line == std::numeric_limits<float>::infinity()) return 0.0F;
-  const float* const head = &heads_[mean * kBounded];
-  const float* const tail = tails_.data() + mean * (padded_ - kBounded);
-  Lanes sum = (loaded(point) - loaded(head)) * loaded(line) +
-              (loaded(point + kLanes) - loaded(head + kLanes)) * loaded(line + kLanes);
-  for (std::size_t i = kBounded; i < padded_; i += kLanes) {
-    sum += (loaded(point + i) - loaded(tail + i - kBounded)) * loaded(line + i);
+  const float* const row = &means_[mean * padded_];
+  Lanes sum{};
+  for (std::size_t i = 0; i < padded_; i += kLanes) {
+    sum += (loaded(point + i) - loaded(row + i)) * loaded(line + i);
   }
   const float along = sum_of(sum);
   return pair_weight_ * (to_mean - along * along);

@@ -66,8 +66,7 @@ class NodeIndex {
   std::vector<float> sides_;            // of each box: kBounded low sides, as many high ones
   std::vector<std::uint32_t> buckets_;  // where each bucket begins, and the end
   std::vector<NodeId> nodes_;
-  // Of each twig: the first kBounded numbers of its mean, the others, and what to_model() takes.
-  std::vector<float> heads_, tails_, lines_;
+  std::vector<float> means_, lines_;  // of each twig: its mean, and what to_model() takes
   float pair_weight_;
 };
 
