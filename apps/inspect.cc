@@ -4,20 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "apps/command.h"
 #include "core/check.h"
 #include "core/output_file.h"
 #include "dataset/contact_sheet.h"
+#include "learning/exemplar/policy_model.h"
 #include "runs/hierarchy_picture.h"
-#include "runs/model_file.h"
+#include "runs/model_description.h"
+#include "runs/model_kinds.h"
 #include "runs/report/canvas.h"
 
 namespace pacer {
@@ -130,64 +129,18 @@ struct InspectCommand {
   }
 
   void inspect_model() const {
-    std::visit([this](const auto& model) { inspect(*model); }, load_model(what));
-  }
-
-  void inspect(const exemplar::Model& model) const {
-    const exemplar::Hierarchy& hierarchy = model.hierarchy;
-    std::size_t inner = 0;
-    for (exemplar::NodeId node = 0; node < hierarchy.tree().nodes().size(); ++node) {
-      inner += hierarchy.has_model(node) ? 1 : 0;
-    }
-    fmt::print("{}: exemplar model, format {}, {} exemplars, for {} x {}\n", what.string(),
-               exemplar::Model::kVersion, hierarchy.exemplars().size(), model.image_size.width,
-               model.image_size.height);
-    fmt::print("learnt from {}\n", model.fingerprint);
-    fmt::print("{} nodes, {} of them with models, {} deep; tau {}\n",
-               hierarchy.tree().nodes().size(), inner, hierarchy.tree().depth(),
-               hierarchy.config().tau);
-    const exemplar::Gaussian actions = hierarchy.action_model(0);
-    for (const auto& [name, i] : {std::pair("turn", 0), {"drive", 1}}) {
-      fmt::print("{:<6} {:+.2f}, standard deviation {:.2f}\n", name, actions.mean[i],
-                 std::sqrt(actions.covariance(i, i)));
-    }
-    if (!sheet.empty()) {
-      const Frame drawn = draw_hierarchy(model);
+    const LoadedModel loaded = load_model(what);
+    const ModelDescription about = loaded.kind->describe(*loaded.model);
+    fmt::print("{}: {}", what.string(), about.text);
+    const auto* exemplars = dynamic_cast<const exemplar::ExemplarPolicyModel*>(loaded.model.get());
+    if (!sheet.empty() && exemplars != nullptr) {
+      const Frame drawn = draw_hierarchy(*exemplars->model());
       cv::Mat bgr;
       cv::cvtColor(report::canvas::view(drawn), bgr, cv::COLOR_RGB2BGR);
       write_sheet(bgr);
       fmt::print("{}: the hierarchy, drawn\n", sheet.string());
     }
-    common.write_json({{"fingerprint", model.fingerprint},
-                       {"exemplars", hierarchy.exemplars().size()},
-                       {"nodes", hierarchy.tree().nodes().size()},
-                       {"models", inner},
-                       {"depth", hierarchy.tree().depth()},
-                       {"tau", hierarchy.config().tau}});
-  }
-
-  void inspect(const affordance::Model& model) const {
-    fmt::print("{}: affordance model, format {}, {} rules, for {} x {} at {} Hz\n", what.string(),
-               affordance::Model::kVersion, model.rules.size(), model.image_size.width,
-               model.image_size.height, model.frame_rate_hz);
-    fmt::print("learnt from {}\n", model.fingerprint);
-    nlohmann::ordered_json types = nlohmann::ordered_json::array();
-    for (int type = 0; type < model.actions.count(); ++type) {
-      const auto index = static_cast<affordance::ActionType>(type);
-      const Command centre = model.actions.centre(index);
-      std::size_t rules = 0;
-      for (const affordance::Rule& rule : model.rules) rules += rule.type == index ? 1 : 0;
-      const std::string& name = model.actions.names[index];
-      fmt::print("{:<16} steering {:+.2f}, throttle {:+.2f}: {} rules\n", name, centre.steering,
-                 centre.throttle, rules);
-      types.push_back({{"name", name},
-                       {"steering", centre.steering},
-                       {"throttle", centre.throttle},
-                       {"rules", rules}});
-    }
-    common.write_json({{"fingerprint", model.fingerprint},
-                       {"rules", model.rules.size()},
-                       {"action_types", types}});
+    common.write_json(about.json);
   }
 };
 

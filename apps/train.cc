@@ -2,6 +2,10 @@
 #include "runs/train.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
 
 #include "apps/command.h"
 #include "apps/terminal_progress.h"
@@ -30,9 +34,15 @@ struct TrainCommand {
       const auto report = train_exemplar(scenario, dataset, onto, out, control);
       progress.finish();
       tell(report, "balloon");
-    } else {
-      if (!onto.empty()) throw UsageError("--onto: only exemplar models grow");
+      return;
+    }
+    if (!onto.empty()) throw UsageError("--onto: only exemplar models grow");
+    if (method == "affordance") {
       const auto report = train_affordance(scenario, dataset, out, control);
+      progress.finish();
+      tell(report, "follow");
+    } else {
+      const auto report = train_baseline(scenario, method, dataset, out, control);
       progress.finish();
       tell(report, "follow");
     }
@@ -55,10 +65,15 @@ struct TrainCommand {
 void add_train(CLI::App& app, const std::stop_token& stop) {
   auto options = std::make_shared<TrainCommand>();
   CLI::App* command = app.add_subcommand("train", "Learn to drive from a recorded dataset");
+  std::vector<std::string> methods = {"affordance", "exemplar"};
+  methods.insert(methods.end(), baseline_methods().begin(), baseline_methods().end());
   command
-      ->add_option("METHOD", options->method, "How: affordance (chapter 6) or exemplar (chapter 5)")
+      ->add_option("METHOD", options->method,
+                   fmt::format("How: affordance (chapter 6), exemplar (chapter 5), or a baseline: "
+                               "{}",
+                               fmt::join(baseline_methods(), ", ")))
       ->required()
-      ->check(CLI::IsMember({"affordance", "exemplar"}));
+      ->check(CLI::IsMember(methods));
   command->add_option("DATASET", options->dataset, "Folder of the dataset")->required();
   command->add_option("--out", options->out, "File of the model")
       ->required()
@@ -71,6 +86,7 @@ void add_train(CLI::App& app, const std::stop_token& stop) {
   command->footer(
       "Example: pacer train affordance out/drives --out out/follow.model\n"
       "         pacer train exemplar out/balloon --out out/balloon.model\n"
+      "         pacer train supervised out/drives --out out/supervised.model\n"
       "The scenario is the one recorded with the dataset; --set changes it.");
   command->callback([options, stop] { options->run(stop); });
 }

@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 set(_modules core learning sim dataset scenarios runs)
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/pacer)
 
-set(_targets pacer_options pacer_exemplar pacer_report pacer_tracking pacer_tracking_runs)
+set(_targets pacer_options pacer_baselines pacer_exemplar pacer_report pacer_tracking pacer_tracking_runs)
 foreach(_module ${_modules})
   list(APPEND _targets pacer_${_module})
   install(DIRECTORY ${_module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pacer

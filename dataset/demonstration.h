@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/demonstration.h"
+#include "core/marking.h"
 #include "dataset/reader.h"
 
 namespace pacer::dataset {
@@ -24,6 +25,28 @@ class RecordedDemonstration final : public Demonstration {
   [[nodiscard]] std::unique_ptr<DemonstrationStream> open(std::size_t episode) const override;
 
  private:
+  Dataset dataset_;
+};
+
+/// The same with the lead's box in each frame, as recorded by the simulated car: for those who are
+/// given boxes, and say so. The box is that of `privileged.lead_box`, where at least kMarkedFrom of
+/// the lead can be seen (`privileged.lead_visible`).
+class MarkedRecording final : public MarkedDemonstration {
+ public:
+  /// Throws like RecordedDemonstration, and UsageError where nobody recorded the lead's box.
+  explicit MarkedRecording(const std::filesystem::path& root);
+
+  [[nodiscard]] std::size_t episode_count() const override { return plain_.episode_count(); }
+  [[nodiscard]] double frame_rate_hz() const override { return plain_.frame_rate_hz(); }
+  [[nodiscard]] ImageSize image_size() const override { return plain_.image_size(); }
+  [[nodiscard]] std::string fingerprint() const override { return plain_.fingerprint(); }
+  [[nodiscard]] std::unique_ptr<DemonstrationStream> open(std::size_t episode) const override {
+    return plain_.open(episode);
+  }
+  [[nodiscard]] std::unique_ptr<MarkedStream> open_marked(std::size_t episode) const override;
+
+ private:
+  RecordedDemonstration plain_;
   Dataset dataset_;
 };
 

@@ -94,7 +94,7 @@ std::string drive_episode(const Scenario& scenario, const std::vector<PolicySour
   // Figure 6.15 is of models that answer every frame.
   if (source.name() == "teacher" && episode < options.traces &&
       scenario.what_for() == Goal::kFollow) {
-    shadow.emplace(sources, scenario, random.fork("shadow"));
+    shadow.emplace(sources, scenario, car, random.fork("shadow"));
     sinks.push_back(&*shadow);
   }
 
@@ -155,7 +155,10 @@ EvaluationRun evaluate(const Scenario& scenario, const std::vector<PolicySource>
   run.evaluation.goal = scenario.what_for();
   for (const PolicySource& source : policies) {
     source.check_rate(scenario.simulated.camera.frame_rate_hz);
-    run.evaluation.policies.push_back({.name = source.name(), .episodes = {}, .response_ms = {}});
+    run.evaluation.policies.push_back({.name = source.name(),
+                                       .given_boxes = source.given_boxes(),
+                                       .episodes = {},
+                                       .response_ms = {}});
   }
   std::vector<std::uint32_t> indices(policies.size() * options.episodes);
   std::iota(indices.begin(), indices.end(), 0U);

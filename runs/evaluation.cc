@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "runs/model_description.h"
+
 namespace pacer {
 namespace {
 
@@ -58,8 +60,12 @@ Estimate PolicyEvaluation::succeeded() const {
 
 report::Table score_table(const Evaluation& evaluation) {
   const std::vector<Measure> measures = measures_of(evaluation.goal);
+  const bool any_given = std::ranges::any_of(
+      evaluation.policies,
+      [](const PolicyEvaluation& policy) { return policy.given_boxes != GivenBoxes::kNone; });
   report::Table table;
   table.columns = {{.heading = "policy"}};
+  if (any_given) table.columns.push_back({.heading = "given boxes"});
   for (const Measure& measure : measures) {
     if (measure.heading == nullptr) continue;
     table.columns.push_back({.heading = measure.heading,
@@ -72,6 +78,7 @@ report::Table score_table(const Evaluation& evaluation) {
   table.columns.push_back({.heading = "p99", .unit = "ms", .decimals = 2});
   for (const PolicyEvaluation& policy : evaluation.policies) {
     report::Row row{.cells = {policy.name}, .competes = policy.name != "teacher"};
+    if (any_given) row.cells.emplace_back(to_text(policy.given_boxes));
     for (std::size_t i = 0; i < measures.size(); ++i) {
       if (measures[i].heading == nullptr) continue;
       row.cells.emplace_back(over_episodes(policy, measures[i], i));
@@ -88,6 +95,9 @@ nlohmann::ordered_json to_json(const Evaluation& evaluation) {
   nlohmann::ordered_json policies = nlohmann::ordered_json::object();
   for (const PolicyEvaluation& policy : evaluation.policies) {
     nlohmann::ordered_json& entry = policies[policy.name];
+    if (policy.given_boxes != GivenBoxes::kNone) {
+      entry["given_boxes"] = to_text(policy.given_boxes);
+    }
     for (std::size_t i = 0; i < measures.size(); ++i) {
       if (measures[i].heading == nullptr) continue;
       entry[measures[i].key] = to_json(over_episodes(policy, measures[i], i));

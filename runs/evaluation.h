@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/marking.h"
 #include "runs/report/interval.h"
 #include "runs/report/table.h"
 #include "runs/score.h"
@@ -14,6 +15,7 @@ namespace pacer {
 /// What one policy did on the unseen episodes.
 struct PolicyEvaluation {
   std::string name;
+  GivenBoxes given_boxes = GivenBoxes::kNone;
   std::vector<EpisodeScore> episodes;  ///< by episode index, the same seeds for every policy
   std::vector<float> response_ms;      ///< time from frame to command, every frame
 

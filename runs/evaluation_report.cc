@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -150,15 +151,26 @@ report::Page evaluation_page(const Scenario& scenario, const std::vector<PolicyS
                                 scenario.what_for() == Goal::kReach ? "places" : "routes", kVersion,
                                 scenario.seed));
   add_tiles(page.lead(), run);
-  page.section("Scores").table(score_table(run.evaluation)).paragraph(rule(scenario));
+  Content& scores = page.section("Scores");
+  scores.table(score_table(run.evaluation)).paragraph(rule(scenario));
+  if (std::ranges::any_of(policies, [](const PolicySource& source) {
+        return source.given_boxes() != GivenBoxes::kNone;
+      })) {
+    scores.paragraph(
+        "Given boxes: was told where the lead is, by the simulation, in every frame that it "
+        "learnt from, or also in the first frame of each drive that shows it. The others had the "
+        "pictures and the commands.");
+  }
   if (!run.clips.empty()) add_clips(page.section("Videos"), run);
-  if (model != nullptr && !run.traces.empty()) {
+  if (!run.traces.empty() && !run.traces.front().models.empty()) {
     Content& signals = page.section("Action signals");
     signals.paragraph(
         "The teacher drives; the model watches the same frames and says what it "
         "would do (Figure 6.15 of the thesis).");
     add_signals(signals, run.traces.front(), palette);
-    add_clusters(page.section("Action types"), *model, run.traces.front());
+    if (model != nullptr) {
+      add_clusters(page.section("Action types"), *model, run.traces.front());
+    }
     if (!run.pictures.empty()) {
       Content& mined = page.section("Mined configurations");
       mined.paragraph(

@@ -9,27 +9,11 @@
 
 #include "core/check.h"
 #include "core/constant_policy.h"
-#include "learning/affordance/policy.h"
-#include "learning/exemplar/policy.h"
-#include "runs/model_file.h"
+#include "learning/affordance/policy_model.h"
+#include "runs/model_kinds.h"
+#include "sim/lead_pointer.h"
 
 namespace pacer {
-namespace {
-
-/// The demonstration's mean command: what whitening subtracts (6.3).
-Command mean_command(const affordance::Model& model) {
-  const Eigen::Vector2d mean = model.actions.mean;
-  return {.steering = mean.x(), .throttle = mean.y()};
-}
-
-/// The mean impulse: the root's action model.
-Command mean_command(const exemplar::Model& model) {
-  const std::span<const double> mean = model.hierarchy.action_mean(0);
-  return {.steering = mean[0], .throttle = mean[1]};
-}
-
-}  // namespace
-
 std::unique_ptr<Policy> make_teacher(const Scenario& scenario, const sim::SimCar& car,
                                      const Random& random) {
   if (scenario.what_for() == Goal::kReach) {
@@ -53,12 +37,9 @@ std::vector<PolicySource> PolicySource::load(const std::vector<std::string>& nam
                          ": neither a model file nor one of teacher, neutral, mean");
       }
       source.name_ = std::filesystem::path(name).stem().string();
-      std::visit(
-          [&](const auto& model) {
-            if (!mean) mean = mean_command(*model);
-            source.what_ = model;
-          },
-          load_model(name));
+      Learnt model = load_model(name).model;
+      if (!mean) mean = model->mean_command();
+      source.what_ = std::move(model);
     }
     sources.push_back(std::move(source));
   }
@@ -76,38 +57,52 @@ std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::
     if (car == nullptr) throw UsageError("--policy teacher: drives the simulated car only");
     return make_teacher(scenario, *car, random.fork("teacher"));
   }
-  if (const auto* model = std::get_if<std::shared_ptr<const exemplar::Model>>(&what_)) {
-    if (scenario.what_for() != Goal::kReach) {
+  const PolicyModel* const learnt = model();
+  if (learnt == nullptr) return std::make_unique<ConstantPolicy>(std::get<Command>(what_));
+  if (learnt->drives_by_impulses() && scenario.what_for() != Goal::kReach) {
+    throw UsageError(fmt::format(
+        "--policy {}: drives by impulses; set goal=reach, as scenarios/balloon.yaml does", name_));
+  }
+  if (!learnt->drives_by_impulses() && scenario.what_for() == Goal::kReach) {
+    throw UsageError(fmt::format(
+        "--policy {}: drives without a stop; set goal=follow, as scenarios/follow.yaml does",
+        name_));
+  }
+  std::unique_ptr<TargetPointer> pointer;
+  if (learnt->given_boxes() == GivenBoxes::kAtTheStart) {
+    if (car == nullptr) {
       throw UsageError(fmt::format(
-          "--policy {}: drives by impulses; set goal=reach, as scenarios/balloon.yaml does",
+          "--policy {}: is shown its target at the start, which only the simulated car can do; set "
+          "car=simulated",
           name_));
     }
-    return std::make_unique<exemplar::ExemplarPolicy>(*model, random.fork("exemplar"));
+    pointer = std::make_unique<sim::LeadPointer>(car->lead_sight());
   }
-  if (const auto model = affordances()) {
-    if (scenario.what_for() == Goal::kReach) {
-      throw UsageError(fmt::format(
-          "--policy {}: drives without a stop; set goal=follow, as scenarios/follow.yaml does",
-          name_));
-    }
-    return std::make_unique<affordance::AffordancePolicy>(model);
-  }
-  return std::make_unique<ConstantPolicy>(std::get<Command>(what_));
+  return learnt->make(random.fork(learnt->method()), std::move(pointer));
+}
+
+const PolicyModel* PolicySource::model() const noexcept {
+  const auto* learnt = std::get_if<Learnt>(&what_);
+  return learnt == nullptr ? nullptr : learnt->get();
 }
 
 std::shared_ptr<const affordance::Model> PolicySource::affordances() const noexcept {
-  const auto* model = std::get_if<std::shared_ptr<const affordance::Model>>(&what_);
-  return model == nullptr ? nullptr : *model;
+  const auto* found = dynamic_cast<const affordance::AffordancePolicyModel*>(model());
+  return found == nullptr ? nullptr : found->model();
+}
+
+GivenBoxes PolicySource::given_boxes() const noexcept {
+  return model() == nullptr ? GivenBoxes::kNone : model()->given_boxes();
 }
 
 void PolicySource::check_rate(double rate_hz) const {
   constexpr double kSame = 0.01;  // of the rate
-  const auto model = affordances();
-  if (!model || std::abs(model->frame_rate_hz - rate_hz) <= kSame * rate_hz) return;
+  const std::optional<double> learnt = model() ? model()->frame_rate_hz() : std::nullopt;
+  if (!learnt || std::abs(*learnt - rate_hz) <= kSame * rate_hz) return;
   throw UsageError(
       fmt::format("--policy {}: learnt from {} frames a second, and this car gives {}; train it "
                   "on a dataset of that rate",
-                  name_, model->frame_rate_hz, rate_hz));
+                  name_, *learnt, rate_hz));
 }
 
 }  // namespace pacer

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/policy.h"
+#include "core/policy_model.h"
 #include "core/random.h"
 #include "learning/affordance/model.h"
-#include "learning/exemplar/model.h"
 #include "scenarios/scenario.h"
 #include "sim/sim_car.h"
 
@@ -29,8 +29,8 @@ class PolicySource {
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
-  /// The policy for one episode. `car` is needed by the teacher only, must then be the simulated
-  /// one, and must outlive it; the teacher throws UsageError without one.
+  /// The policy for one episode. `car` is needed by the teacher, and by what is shown its target,
+  /// must then be the simulated one, and must outlive it; those throw UsageError without one.
   [[nodiscard]] std::unique_ptr<Policy> make(const Scenario& scenario, const sim::SimCar* car,
                                              const Random& random) const;
 
@@ -38,16 +38,19 @@ class PolicySource {
   /// does not carry over.
   void check_rate(double rate_hz) const;
 
+  /// What was learnt; null for the teacher and for constant commands.
+  [[nodiscard]] const PolicyModel* model() const noexcept;
   /// Null unless it is a model of affordances (chapter 6).
   [[nodiscard]] std::shared_ptr<const affordance::Model> affordances() const noexcept;
+  /// What it was told of the target.
+  [[nodiscard]] GivenBoxes given_boxes() const noexcept;
 
  private:
   struct Teacher {};
+  using Learnt = std::shared_ptr<const PolicyModel>;
 
   std::string name_;
-  std::variant<Command, Teacher, std::shared_ptr<const affordance::Model>,
-               std::shared_ptr<const exemplar::Model>>
-      what_;  // a command: that one, always
+  std::variant<Command, Teacher, Learnt> what_;  // a command: that one, always
 };
 
 }  // namespace pacer

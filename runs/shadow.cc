@@ -4,12 +4,13 @@
 namespace pacer {
 
 Shadow::Shadow(std::span<const PolicySource> sources, const Scenario& scenario,
-               const Random& random) {
+               const sim::SimCar& car, const Random& random) {
   for (const PolicySource& source : sources) {
-    if (!source.affordances()) continue;
-    models_.push_back(source.make(scenario, nullptr, random));
+    if (source.model() == nullptr) continue;
+    models_.push_back(source.make(scenario, &car, random));
     trace_.models.push_back({.name = source.name(), .wanted = {}});
-    if (!gallery_) gallery_ = std::make_unique<MatchGallery>(source.affordances());
+    if (!gallery_ && source.affordances())
+      gallery_ = std::make_unique<MatchGallery>(source.affordances());
   }
 }
 

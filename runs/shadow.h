@@ -26,13 +26,15 @@ struct SignalTrace {
 /// Lets models watch an episode that somebody else drives.
 class Shadow final : public StepSink {
  public:
-  /// Makes a policy of every source that is a model.
-  Shadow(std::span<const PolicySource> sources, const Scenario& scenario, const Random& random);
+  /// Makes a policy of every source that is a model. `car` is the one that is driven, and must
+  /// outlive it.
+  Shadow(std::span<const PolicySource> sources, const Scenario& scenario, const sim::SimCar& car,
+         const Random& random);
 
   [[nodiscard]] bool write(const Frame& frame, const Step& step) override;
 
   [[nodiscard]] const SignalTrace& trace() const noexcept { return trace_; }
-  /// Of the first model; empty without one.
+  /// Of the first model of affordances; empty without one.
   [[nodiscard]] std::vector<MatchGallery::Picture> pictures() const;
 
  private:

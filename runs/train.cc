@@ -3,10 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
+#include "core/check.h"
 #include "dataset/demonstration.h"
 #include "dataset/inspect.h"
+#include "learning/baselines/nearest_model.h"
+#include "learning/baselines/ridge_model.h"
+#include "learning/baselines/supervised_model.h"
+#include "learning/baselines/tracker_model.h"
 
 namespace pacer {
 namespace {
@@ -34,6 +41,52 @@ TrainingOptions options_of(const Scenario& scenario, const RunControl& control) 
   return options;
 }
 
+/// A baseline, and how it is learnt: the bytes of its file.
+struct Baseline {
+  std::string method;
+  std::string (*learn)(const Scenario& scenario, const std::filesystem::path& folder,
+                       const TrainingOptions& options, baselines::TrainingReport& report);
+};
+
+Random chances_of_training(const Scenario& scenario) { return Random(scenario.seed).fork("train"); }
+
+template <baselines::FeatureKind kKind>
+std::string learn_ridge(const Scenario& /*scenario*/, const std::filesystem::path& folder,
+                        const TrainingOptions& options, baselines::TrainingReport& report) {
+  return baselines::to_bytes(
+      baselines::train_ridge(dataset::RecordedDemonstration(folder), kKind, options, report));
+}
+
+std::string learn_nearest(const Scenario& /*scenario*/, const std::filesystem::path& folder,
+                          const TrainingOptions& options, baselines::TrainingReport& report) {
+  return baselines::to_bytes(
+      baselines::train_nearest(dataset::RecordedDemonstration(folder), options, report));
+}
+
+std::string learn_supervised(const Scenario& scenario, const std::filesystem::path& folder,
+                             const TrainingOptions& options, baselines::TrainingReport& report) {
+  return baselines::to_bytes(baselines::train_supervised(
+      dataset::MarkedRecording(folder), scenario.affordance.response.when_lost(),
+      chances_of_training(scenario), options, report));
+}
+
+std::string learn_tracker(const Scenario& scenario, const std::filesystem::path& folder,
+                          const TrainingOptions& options, baselines::TrainingReport& report) {
+  return baselines::to_bytes(baselines::train_tracker(
+      dataset::MarkedRecording(folder), scenario.affordance.response.when_lost(),
+      chances_of_training(scenario), options, report));
+}
+
+const std::vector<Baseline>& all_baselines() {
+  static const std::vector<Baseline> all = {
+      {.method = "supervised", .learn = learn_supervised},
+      {.method = "nearest", .learn = learn_nearest},
+      {.method = "ridge", .learn = learn_ridge<baselines::FeatureKind::kGrey>},
+      {.method = "ridge-hog", .learn = learn_ridge<baselines::FeatureKind::kHog>},
+      {.method = "tracker", .learn = learn_tracker}};
+  return all;
+}
+
 }  // namespace
 
 affordance::TrainingReport train_affordance(const Scenario& scenario,
@@ -43,7 +96,7 @@ affordance::TrainingReport train_affordance(const Scenario& scenario,
   require_whole(folder);
   const affordance::Training training =
       affordance::train(dataset::RecordedDemonstration(folder), scenario.affordance,
-                        Random(scenario.seed).fork("train"), options_of(scenario, control));
+                        chances_of_training(scenario), options_of(scenario, control));
   affordance::save(training.model, file);
   return training.report;
 }
@@ -61,6 +114,30 @@ exemplar::TrainingReport train_exemplar(const Scenario& scenario,
                    : exemplar::grow(exemplar::load(onto), demonstration, options);
   exemplar::save(training.model, file);
   return training.report;
+}
+
+const std::vector<std::string>& baseline_methods() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Baseline& baseline : all_baselines()) all.push_back(baseline.method);
+    return all;
+  }();
+  return names;
+}
+
+baselines::TrainingReport train_baseline(const Scenario& scenario, const std::string& method,
+                                         const std::filesystem::path& folder,
+                                         const std::filesystem::path& file,
+                                         const RunControl& control) {
+  const auto& all = all_baselines();
+  const auto baseline = std::ranges::find(all, method, &Baseline::method);
+  check(baseline != all.end(), "train_baseline: one of baseline_methods()");
+  require_whole(folder);
+  const auto began = std::chrono::steady_clock::now();
+  baselines::TrainingReport report;
+  write_model_file(baseline->learn(scenario, folder, options_of(scenario, control), report), file);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return report;
 }
 
 }  // namespace pacer

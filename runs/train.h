@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "learning/affordance/train.h"
+#include "learning/baselines/training_report.h"
 #include "learning/exemplar/train.h"
 #include "runs/run_control.h"
 #include "scenarios/scenario.h"
@@ -24,5 +27,16 @@ exemplar::TrainingReport train_exemplar(const Scenario& scenario,
                                         const std::filesystem::path& onto,
                                         const std::filesystem::path& file,
                                         const RunControl& control);
+
+/// What else a user would try: supervised, nearest, ridge, ridge-hog, tracker.
+[[nodiscard]] const std::vector<std::string>& baseline_methods();
+
+/// Learns the baseline `method`, one of those, likewise (docs/design/baselines.md). Of supervised
+/// and tracker, the lead's box in each frame is read from the dataset; nothing privileged is for
+/// the others.
+baselines::TrainingReport train_baseline(const Scenario& scenario, const std::string& method,
+                                         const std::filesystem::path& folder,
+                                         const std::filesystem::path& file,
+                                         const RunControl& control);
 
 }  // namespace pacer

@@ -86,4 +86,39 @@ nlohmann::ordered_json to_json(const exemplar::TrainingReport& report) {
           {"seconds", {{"whole", report.seconds}}}};
 }
 
+std::string to_text(const baselines::TrainingReport& report) {
+  std::string text = fmt::format("{} episodes, {} frames\n", report.episodes, report.frames);
+  if (report.marked > 0) {
+    text +=
+        fmt::format("given the target's box, by the simulation, in {} of them\n", report.marked);
+  }
+  if (!report.trials.empty()) {
+    const baselines::Trial& chosen = report.trials.at(report.chosen);
+    text += fmt::format(
+        "chosen of {} settings on held-out episodes: {}; its error {:.3f} of the "
+        "commands' variance\n",
+        report.trials.size(), chosen.setting, chosen.error);
+  }
+  for (const baselines::TrainingReport::Fact& fact : report.facts) {
+    text += fmt::format("  {:<16} {:.6g}\n", fact.name, fact.value);
+  }
+  return text + fmt::format("learnt in {:.1f} s\n", report.seconds);
+}
+
+nlohmann::ordered_json to_json(const baselines::TrainingReport& report) {
+  nlohmann::ordered_json trials = nlohmann::ordered_json::array();
+  for (const baselines::Trial& trial : report.trials) {
+    trials.push_back({{"setting", trial.setting}, {"error", trial.error}});
+  }
+  nlohmann::ordered_json json = {
+      {"episodes", report.episodes}, {"frames", report.frames}, {"marked", report.marked}};
+  if (!report.trials.empty()) {
+    json["chosen"] = report.trials.at(report.chosen).setting;
+    json["trials"] = std::move(trials);
+  }
+  for (const baselines::TrainingReport::Fact& fact : report.facts) json[fact.name] = fact.value;
+  json["seconds"] = {{"whole", report.seconds}};
+  return json;
+}
+
 }  // namespace pacer

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "learning/affordance/train.h"
+#include "learning/baselines/training_report.h"
 #include "learning/exemplar/train.h"
 
 namespace pacer {
@@ -12,9 +13,11 @@ namespace pacer {
 /// What training did, as a few lines for a person.
 [[nodiscard]] std::string to_text(const affordance::TrainingReport& report);
 [[nodiscard]] std::string to_text(const exemplar::TrainingReport& report);
+[[nodiscard]] std::string to_text(const baselines::TrainingReport& report);
 
 /// The same for `--json`; measured times lie under "seconds" alone.
 [[nodiscard]] nlohmann::ordered_json to_json(const affordance::TrainingReport& report);
 [[nodiscard]] nlohmann::ordered_json to_json(const exemplar::TrainingReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const baselines::TrainingReport& report);
 
 }  // namespace pacer

@@ -45,12 +45,24 @@ std::filesystem::path Materials::recording(Purpose purpose, std::uint64_t episod
   return folder;
 }
 
-std::filesystem::path Materials::model(std::uint64_t episodes) const {
+std::filesystem::path Materials::model(std::uint64_t episodes, const std::string& name) const {
   std::filesystem::path file =
-      place("model", fmt::format("{} {}", episodes, to_yaml(context_.scenario)));
+      place("model", fmt::format("{} {}", episodes, to_yaml(context_.scenario))) /
+      (name + ".model");
   if (!std::filesystem::exists(file)) {
     (void)train_affordance(context_.scenario, recording(Purpose::kCollect, episodes), file,
                            context_.control);
+  }
+  return file;
+}
+
+std::filesystem::path Materials::baseline(const std::string& method, std::uint64_t episodes) const {
+  std::filesystem::path file =
+      place("baseline", fmt::format("{} {}", episodes, to_yaml(context_.scenario))) /
+      (method + ".model");
+  if (!std::filesystem::exists(file)) {
+    (void)train_baseline(context_.scenario, method, recording(Purpose::kCollect, episodes), file,
+                         context_.control);
   }
   return file;
 }
@@ -81,10 +93,11 @@ std::string Materials::fingerprint() const {
   return fmt::format("{:016x}", fnv1a(to_yaml(context_.scenario), program_));
 }
 
-std::uint64_t Materials::five_minutes() const {
-  constexpr double kFiveMinutes = 300.0;
+std::uint64_t Materials::minutes(double count) const {
+  constexpr double kMinute = 60.0;  // seconds
   return std::max<std::uint64_t>(
-      1, static_cast<std::uint64_t>(kFiveMinutes / context_.scenario.simulated.duration.count()));
+      1,
+      static_cast<std::uint64_t>(kMinute * count / context_.scenario.simulated.duration.count()));
 }
 
 struct OneCore::Saved {

@@ -21,8 +21,14 @@ class Materials {
   /// `episodes` episodes that the teacher drove for `purpose`: the dataset's folder.
   [[nodiscard]] std::filesystem::path recording(Purpose purpose, std::uint64_t episodes) const;
 
-  /// A model learnt from the first `episodes` demonstrated episodes: its file.
-  [[nodiscard]] std::filesystem::path model(std::uint64_t episodes) const;
+  /// A model learnt from the first `episodes` demonstrated episodes: its file, whose stem is
+  /// `name`.
+  [[nodiscard]] std::filesystem::path model(std::uint64_t episodes,
+                                            const std::string& name = "learned") const;
+
+  /// A baseline (`pacer train METHOD`) learnt from them: its file, whose stem is `method`.
+  [[nodiscard]] std::filesystem::path baseline(const std::string& method,
+                                               std::uint64_t episodes) const;
 
   /// A hierarchy (chapter 5) learnt by `config` from the first `episodes` demonstrated episodes:
   /// its file, whose stem is `name`.
@@ -36,8 +42,9 @@ class Materials {
   /// Of the program and the scenario: what a result depends on.
   [[nodiscard]] std::string fingerprint() const;
 
-  /// The demonstrations of five minutes at most, whole episodes.
-  [[nodiscard]] std::uint64_t five_minutes() const;
+  /// The demonstrations of so many minutes at most, whole episodes, and one at least.
+  [[nodiscard]] std::uint64_t minutes(double count) const;
+  [[nodiscard]] std::uint64_t five_minutes() const { return minutes(5.0); }
 
  private:
   [[nodiscard]] std::filesystem::path place(const std::string& kind,

@@ -100,7 +100,10 @@ const std::vector<Study>& studies() {
       {"apriori", "mining: equal to independent implementations, and its time", "follow",
        study_apriori, "transactions"},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", "follow", study_hits},
-      {"following", "closed loop in unseen rooms, against the teacher", "follow", study_following}};
+      {"signals", "Figure 6.15: the turn signal, against the supervised baseline's", "follow",
+       study_signals},
+      {"following", "closed loop in unseen rooms, against teacher and baselines", "follow",
+       study_following}};
   return all;
 }
 

@@ -37,6 +37,14 @@ Claim at_least(std::string name, std::string thesis, double measured, double bou
           .holds = measured >= bound};
 }
 
+Claim above(std::string name, std::string thesis, double measured, double bound) {
+  return {.name = std::move(name),
+          .thesis = std::move(thesis),
+          .bound = fmt::format("> {}", bound),
+          .measured = measured,
+          .holds = measured > bound};
+}
+
 Claim at_most(std::string name, std::string thesis, double measured, double bound) {
   return {.name = std::move(name),
           .thesis = std::move(thesis),

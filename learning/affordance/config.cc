@@ -11,9 +11,7 @@ void ResponseConfig::validate() const {
   require(vote == "configuration" || vote == "rule", "vote: must be 'configuration' or 'rule'");
   require(least_configurations >= 1, "least_configurations: must be at least 1");
   require(search_range >= 0.0, "search_range: must not be negative");
-  require(lost == "stop" || lost == "continue", "lost: must be 'stop' or 'continue'");
-  require(hold.count() >= 0.0, "hold_s: must not be negative");
-  require(stop_throttle >= -1.0 && stop_throttle <= 0.0, "stop_throttle: must lie in [-1, 0]");
+  when_lost().validate();
 }
 
 void AffordanceConfig::validate() const {

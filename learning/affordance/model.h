@@ -14,6 +14,7 @@
 #include "learning/affordance/mapping.h"
 #include "learning/affordance/matcher.h"
 #include "learning/affordance/vocabulary.h"
+#include "learning/sealed_file.h"
 
 namespace pacer::affordance {
 
@@ -35,10 +36,10 @@ struct Model {
 
   /// The number in the file that a change of its format or meaning raises.
   static constexpr std::uint32_t kVersion = 1;
+  static constexpr SealedKind kFile{"PACERAFF", kVersion, "an affordance model"};
 };
 
-/// The file's bytes. The same model: the same bytes. Little-endian: "PACERAFF", the version
-/// (u32), the length of the rest (u64), the rest, and the rest's checksum (FNV-1a, u64).
+/// The file's bytes. The same model: the same bytes.
 [[nodiscard]] std::string to_bytes(const Model& model);
 
 /// Reads what to_bytes() wrote. `bytes` are not trusted. Throws std::runtime_error naming `source`:

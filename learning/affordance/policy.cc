@@ -7,7 +7,7 @@
 namespace pacer::affordance {
 
 AffordancePolicy::AffordancePolicy(std::shared_ptr<const Model> model)
-    : model_(std::move(model)), perception_(*model_) {}
+    : model_(std::move(model)), perception_(*model_), loss_(model_->config.response.when_lost()) {}
 
 Command AffordancePolicy::act(const Observation& observation, Annotations& annotations) {
   perception_.look(observation.frame);
@@ -15,12 +15,11 @@ Command AffordancePolicy::act(const Observation& observation, Annotations& annot
   // Nothing near the last target: the whole image, in the same frame.
   if (!enough(votes) && target_.range >= 0.0F) votes = perception_.match();
   if (!enough(votes)) return lost(observation, annotations);
-  last_action_ = respond(votes);
-  last_seen_ = observation.frame.time;
-  seen_ = true;
+  const Command action = respond(votes);
+  loss_.saw(observation.frame.time, action);
   remember_target(votes);
   annotate(votes, annotations);
-  return last_action_;
+  return action;
 }
 
 bool AffordancePolicy::enough(std::span<const Vote> votes) {
@@ -70,12 +69,8 @@ void AffordancePolicy::remember_target(std::span<const Vote> votes) {
 }
 
 Command AffordancePolicy::lost(const Observation& observation, Annotations& annotations) {
-  const ResponseConfig& response = model_->config.response;
   target_.range = -1.0F;
-  const bool holding =
-      seen_ && response.lost == "continue" && observation.frame.time - last_seen_ <= response.hold;
-  annotations.label = holding ? "lost: last action" : "lost: stop";
-  return holding ? last_action_ : Command{.steering = 0.0, .throttle = response.stop_throttle};
+  return loss_.respond(observation.frame.time, annotations.label);
 }
 
 void AffordancePolicy::annotate(std::span<const Vote> votes, Annotations& annotations) {

@@ -38,9 +38,7 @@ class AffordancePolicy final : public Policy {
   int configurations_ = 0;
   SearchRegion target_;       // of the last matches; everywhere until there are any
   float target_grid_ = 0.0F;  // pixels, their median grid side
-  Command last_action_;       // the last that came from matches
-  Seconds last_seen_{};       // when that was
-  bool seen_ = false;         // whether it ever was
+  Loss loss_;
   std::vector<double> weights_;
   std::vector<Weighted> values_;
   std::vector<std::uint16_t> named_;

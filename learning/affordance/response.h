@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/units.h"
+#include "learning/loss.h"
 
 namespace pacer::affordance {
 
@@ -18,6 +19,8 @@ struct ResponseConfig {
   std::string lost = "continue";  ///< when nothing matches: "stop" or "continue" (6.7.1)
   Seconds hold{0.4};              ///< how long "continue" holds the last action before it stops
   double stop_throttle = 0.0;     ///< stick, [-1, 0]; below 0 brakes
+
+  [[nodiscard]] LossConfig when_lost() const { return {lost, hold, stop_throttle}; }
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;

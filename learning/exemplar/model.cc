@@ -2,23 +2,12 @@
 #include "learning/exemplar/model.h"
 
 #include <Eigen/LU>
-#include <cerrno>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-#include <system_error>
 
-#include "core/hash.h"
-#include "core/output_file.h"
 #include "learning/byte_stream.h"
 #include "learning/config_text.h"
 
 namespace pacer::exemplar {
 namespace {
-
-void sane(bool condition, const char* what) {
-  if (!condition) throw std::runtime_error(what);
-}
 
 std::string body(const Model& model) {
   ByteWriter out;
@@ -65,59 +54,20 @@ Model read_body(std::string_view bytes) {
               config.hierarchy)};
 }
 
-/// What follows the version.
-Model read_sealed(ByteReader& in) {
-  const std::string_view rest = in.take(in.count(1));
-  const auto sum = in.value<std::uint64_t>();
-  sane(in.rest().empty(), "something follows its end");
-  sane(sum == fnv1a(rest), "its checksum does not match");
-  return read_body(rest);
-}
-
 }  // namespace
 
-std::string to_bytes(const Model& model) {
-  const std::string rest = body(model);
-  ByteWriter out;
-  for (const char letter : Model::kMagic) out.value(letter);
-  out.value(Model::kVersion);
-  out.text(rest);
-  out.value(fnv1a(rest));
-  return out.bytes();
-}
+std::string to_bytes(const Model& model) { return sealed(Model::kFile, body(model)); }
 
 Model from_bytes(std::string_view bytes, std::string_view source) {
-  const std::string file(source);
-  if (!bytes.starts_with(Model::kMagic)) throw std::runtime_error(file + ": not an exemplar model");
-  ByteReader in(bytes.substr(Model::kMagic.size()));
-  std::uint32_t version = 0;
-  try {
-    version = in.value<std::uint32_t>();
-    if (version == Model::kVersion) return read_sealed(in);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(file + ": a damaged exemplar model: " + error.what() +
-                             "; train it again");
-  }
-  throw std::runtime_error(file + ": a model of version " + std::to_string(version) +
-                           ", and this program reads version " + std::to_string(Model::kVersion) +
-                           "; train it again");
+  return unsealed(Model::kFile, bytes, source, read_body);
 }
 
 void save(const Model& model, const std::filesystem::path& path) {
-  OutputFile file(path);
-  file.write(to_bytes(model));
-  file.keep();
+  write_model_file(to_bytes(model), path);
 }
 
 Model load(const std::filesystem::path& path) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.is_open() || in.bad()) {
-    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
-                            "cannot read the model " + path.string());
-  }
-  return from_bytes(bytes, path.string());
+  return from_bytes(read_model_file(path), path.string());
 }
 
 }  // namespace pacer::exemplar

@@ -10,6 +10,7 @@
 #include "core/frame.h"
 #include "learning/exemplar/config.h"
 #include "learning/exemplar/hierarchy.h"
+#include "learning/sealed_file.h"
 
 namespace pacer::exemplar {
 
@@ -23,15 +24,14 @@ struct Model {
   Eigen::Matrix2d drift;    ///< action_drift() of the demonstration
   Hierarchy hierarchy;      ///< by `config.hierarchy`
 
-  static constexpr std::string_view kMagic = "PACEREXE";
   /// The number in the file that a change of its format or meaning raises.
   static constexpr std::uint32_t kVersion = 1;
+  static constexpr SealedKind kFile{"PACEREXE", kVersion, "an exemplar model"};
 };
 
-/// The file's bytes. The same model: the same bytes. Little-endian: "PACEREXE", the version (u32),
-/// the length of the rest (u64), the rest, and the rest's checksum (FNV-1a, u64). The exemplars and
-/// the settings are kept; the hierarchy is built anew on reading, which gives the same one, but for
-/// what was learnt online since it was built: that then has the place that building gives it.
+/// The file's bytes. The same model: the same bytes. The exemplars and the settings are kept; the
+/// hierarchy is built anew on reading, which gives the same one, but for what was learnt online
+/// since it was built: that then has the place that building gives it.
 [[nodiscard]] std::string to_bytes(const Model& model);
 
 /// Reads what to_bytes() wrote. `bytes` are not trusted. Throws std::runtime_error naming `source`:

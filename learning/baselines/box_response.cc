@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "learning/baselines/box_response.h"
+
+#include "learning/sealed_file.h"
+
+namespace pacer::baselines {
+
+void BoxDriving::write(ByteWriter& out) const {
+  action.write(out);
+  out.text(when_lost.strategy);
+  out.value(when_lost.hold.count());
+  out.value(when_lost.stop_throttle);
+}
+
+BoxDriving BoxDriving::read(ByteReader& in) {
+  BoxDriving driving;
+  driving.action = BoxAction::read(in);
+  driving.when_lost.strategy = in.text();
+  driving.when_lost.hold = Seconds{in.value<double>()};
+  driving.when_lost.stop_throttle = in.value<double>();
+  driving.when_lost.validate();
+  return driving;
+}
+
+Command BoxResponse::respond(const std::optional<Box>& box, Seconds time,
+                             Annotations& annotations) {
+  if (!box || !is_proper(*box)) return loss_.respond(time, annotations.label);
+  const Command command = action_(*box);
+  loss_.saw(time, command);
+  annotations.boxes.push_back({.low = {.x = static_cast<float>(box->x - 0.5 * box->width),
+                                       .y = static_cast<float>(box->y - 0.5 * box->height)},
+                               .high = {.x = static_cast<float>(box->x + 0.5 * box->width),
+                                        .y = static_cast<float>(box->y + 0.5 * box->height)},
+                               .tone = Tone::kTarget});
+  return command;
+}
+
+}  // namespace pacer::baselines
