@@ -23,6 +23,9 @@ class Materials {
 
   /// A model learnt from the first `episodes` demonstrated episodes: its file.
   [[nodiscard]] std::filesystem::path model(std::uint64_t episodes) const;
+  /// The same learnt by `config` instead of the scenario's settings.
+  [[nodiscard]] std::filesystem::path model(const affordance::AffordanceConfig& config,
+                                            std::uint64_t episodes) const;
 
   /// A hierarchy (chapter 5) learnt by `config` from the first `episodes` demonstrated episodes:
   /// its file, whose stem is `name`.
