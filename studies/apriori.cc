@@ -213,8 +213,7 @@ StudyResult study_apriori(const StudyContext& context, report::Page& page) {
   report::Content& mining = page.section("Mining");
   mining.paragraph(fmt::format(
       "All action types on one core, each database in a process of its own. Support {} %, "
-      "confidence "
-      "{} %, {} to {} items. Rules of recorded transactions are those that hold no other.",
+      "confidence {} %, {} to {} items. Rules of recorded transactions hold no other rule.",
       thesis.support_percent, thesis.confidence_percent, thesis.min_items, thesis.max_items));
   report::Table table;
   table.columns = {{.heading = "transactions"},
