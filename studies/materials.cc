@@ -23,6 +23,15 @@ std::uint64_t hash_of_this_program() {
   return fnv1a(bytes);
 }
 
+/// Copies a folder; `to` is there whole or not at all.
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::filesystem::path aside = to;
+  aside += ".copying";
+  std::filesystem::remove_all(aside);
+  std::filesystem::copy(from, aside, std::filesystem::copy_options::recursive);
+  std::filesystem::rename(aside, to);
+}
+
 }  // namespace
 
 Materials::Materials(const StudyContext& context)
@@ -36,9 +45,19 @@ std::filesystem::path Materials::place(const std::string& kind, const std::strin
 std::filesystem::path Materials::recording(Purpose purpose, std::uint64_t episodes) const {
   const std::string made_of =
       fmt::format("{} {}", static_cast<int>(purpose), to_yaml(context_.scenario));
-  // One folder however many episodes: a longer recording begins with the shorter one, but a study
-  // must not see more than it asked for.
-  std::filesystem::path folder = place(fmt::format("drives-{}", episodes), made_of);
+  // A folder for each number of episodes: a study must not see more than it asked for. A longer
+  // recording begins with the shorter one, and goes on from a copy of it.
+  const auto folder_of = [&](std::uint64_t count) {
+    return place(fmt::format("drives-{}", count), made_of);
+  };
+  std::filesystem::path folder = folder_of(episodes);
+  if (!std::filesystem::exists(folder)) {
+    for (std::uint64_t shorter = episodes; shorter > 1;) {
+      if (!std::filesystem::exists(folder_of(--shorter))) continue;
+      copy_whole(folder_of(shorter), folder);
+      break;
+    }
+  }
   if (!collect(context_.scenario, purpose, episodes, folder, context_.control).whole) {
     throw StudyStopped();
   }
@@ -46,11 +65,17 @@ std::filesystem::path Materials::recording(Purpose purpose, std::uint64_t episod
 }
 
 std::filesystem::path Materials::model(std::uint64_t episodes, const std::string& name) const {
+  return model(context_.scenario.affordance, episodes, name);
+}
+
+std::filesystem::path Materials::model(const affordance::AffordanceConfig& config,
+                                       std::uint64_t episodes, const std::string& name) const {
+  Scenario scenario = context_.scenario;
+  scenario.affordance = config;
   std::filesystem::path file =
-      place("model", fmt::format("{} {}", episodes, to_yaml(context_.scenario))) /
-      (name + ".model");
+      place("model", fmt::format("{} {}", episodes, to_yaml(scenario))) / (name + ".model");
   if (!std::filesystem::exists(file)) {
-    (void)train_affordance(context_.scenario, recording(Purpose::kCollect, episodes), file,
+    (void)train_affordance(scenario, recording(Purpose::kCollect, episodes), file,
                            context_.control);
   }
   return file;

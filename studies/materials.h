@@ -25,6 +25,10 @@ class Materials {
   /// `name`.
   [[nodiscard]] std::filesystem::path model(std::uint64_t episodes,
                                             const std::string& name = "learned") const;
+  /// The same learnt by `config` instead of the scenario's settings.
+  [[nodiscard]] std::filesystem::path model(const affordance::AffordanceConfig& config,
+                                            std::uint64_t episodes,
+                                            const std::string& name = "learned") const;
 
   /// A baseline (`pacer train METHOD`) learnt from them: its file, whose stem is `method`.
   [[nodiscard]] std::filesystem::path baseline(const std::string& method,

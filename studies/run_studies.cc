@@ -95,6 +95,11 @@ const std::vector<Study>& studies() {
       {"exemplar-scale", "searches among 304 to a million exemplars", "balloon",
        study_exemplar_scale},
       {"balloon", "Figures 5.15, 5.16: closed loop to the red balloon", "balloon", study_balloon},
+      {"demonstrations",
+       "Figures 6.5, 6.6: the lead's pose in the picture, and the teacher's action", "follow",
+       study_demonstrations},
+      {"action-clusters", "Figure 6.8: the whitened actions and their six types", "follow",
+       study_action_clusters},
       {"response", "frame to command on one core, SIFT included", "follow", study_response},
       {"throughput", "recording against a bare simulation loop", "follow", study_throughput},
       {"apriori", "mining: equal to independent implementations, and its time", "follow",
@@ -103,7 +108,11 @@ const std::vector<Study>& studies() {
       {"signals", "Figure 6.15: the turn signal, against the supervised baseline's", "follow",
        study_signals},
       {"following", "closed loop in unseen rooms, against teacher and baselines", "follow",
-       study_following}};
+       study_following},
+      {"learning-curve", "episodes followed after 0.5 to 10 minutes of demonstration", "follow",
+       study_learning_curve},
+      {"transfer", "other light, corrupted frames and delay: what of following is lost", "follow",
+       study_transfer}};
   return all;
 }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "core/check.h"
-#include "learning/affordance/parallel.h"
 #include "learning/affordance/rule_search.h"
 #include "learning/affordance/transaction_index.h"
 
@@ -13,14 +13,16 @@ namespace pacer::affordance {
 namespace {
 
 std::vector<Rule> mine(const TransactionIndex& index, ActionType type, const Thresholds& thresholds,
-                       const std::stop_token& stop) {
+                       int jobs, const std::stop_token& stop) {
   std::vector<Rule> rules;
-  RuleSearch(index, thresholds,
-             [&](std::span<const Item> items, std::uint32_t count, std::uint32_t holding) {
-               rules.push_back({type, {items.begin(), items.end()}, count, holding});
-               return thresholds.min_count;
-             })
-      .run(type, stop);
+  search_rules(
+      index, thresholds, type, jobs, stop,
+      [&](std::span<const std::uint32_t> ranks, std::uint32_t count, std::uint32_t holding) {
+        Rule& rule = rules.emplace_back(Rule{type, {}, count, holding});
+        for (const std::uint32_t rank : ranks) rule.items.push_back(index.item(rank));
+        std::sort(rule.items.begin(), rule.items.end());
+        return thresholds.min_count;
+      });
   std::sort(rules.begin(), rules.end(),
             [](const Rule& a, const Rule& b) { return a.items < b.items; });
   return rules;
@@ -39,11 +41,11 @@ void AprioriConfig::validate() const {
 }
 
 std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,
-                             const AprioriConfig& config, const std::stop_token& stop) {
+                             const AprioriConfig& config, int jobs, const std::stop_token& stop) {
   config.validate();
   check(type < database.type_count, "the action type is one of the database's");
   const Thresholds thresholds(config, database.size());
-  return mine(TransactionIndex(database, thresholds.min_count), type, thresholds, stop);
+  return mine(TransactionIndex(database, thresholds.min_count), type, thresholds, jobs, stop);
 }
 
 std::vector<Rule> mine_rules(const TransactionDatabase& database, const AprioriConfig& config,
@@ -51,15 +53,10 @@ std::vector<Rule> mine_rules(const TransactionDatabase& database, const AprioriC
   config.validate();
   const Thresholds thresholds(config, database.size());
   const TransactionIndex index(database, thresholds.min_count);
-  const auto types = static_cast<std::size_t>(database.type_count);
-  std::vector<std::vector<Rule>> found(types);
-  parallel_for(types, jobs, [&](std::size_t type) {
-    found[type] = mine(index, static_cast<ActionType>(type), thresholds, {});
-  });
   std::vector<Rule> rules;
-  for (std::vector<Rule>& of_type : found) {
+  for (int type = 0; type < database.type_count; ++type) {
+    std::vector<Rule> of_type = mine(index, static_cast<ActionType>(type), thresholds, jobs, {});
     std::move(of_type.begin(), of_type.end(), std::back_inserter(rules));
-    of_type = {};
   }
   return rules;
 }

@@ -50,13 +50,13 @@ struct Rule {
 
 /// Every rule for `type` that meets `config`, sorted by items. Exact. The items of the database's
 /// transactions must be ascending, distinct and below item_count, its types below type_count.
-/// Ends early, with some of them, when `stop` is requested.
+/// Searches on up to `jobs` threads; the result does not depend on how many. Ends early, with some
+/// of the rules, when `stop` is requested.
 [[nodiscard]] std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,
-                                           const AprioriConfig& config,
+                                           const AprioriConfig& config, int jobs = 1,
                                            const std::stop_token& stop = {});
 
-/// The rules of all types, sorted by type, then by items; up to `jobs` types at once, a thread
-/// each. The result does not depend on `jobs`.
+/// The rules of all types, sorted by type, then by items.
 [[nodiscard]] std::vector<Rule> mine_rules(const TransactionDatabase& database,
                                            const AprioriConfig& config, int jobs = 1);
 

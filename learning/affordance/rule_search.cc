@@ -39,26 +39,34 @@ double support_percent_of(std::uint32_t count, std::size_t transactions) noexcep
   return std::min(100.0 * count / static_cast<double>(transactions), 100.0);
 }
 
-RuleSearch::RuleSearch(const TransactionIndex& index, const Thresholds& thresholds, Found found)
+RuleSearch::RuleSearch(const TransactionIndex& index, const Thresholds& thresholds, ActionType type,
+                       std::stop_token stop, const KnownRules* known)
     : index_(index),
       limits_(thresholds),
-      found_(std::move(found)),
+      type_(type),
+      stop_(std::move(stop)),
+      known_(known),
+      own_(index.ranks()),
       nodes_(std::min(thresholds.max_items, index.ranks()) + 1),
       row_of_(index.ranks()),
-      in_prefix_(index.ranks()),
-      explained_(index.ranks()) {
+      in_prefix_(index.ranks()) {
   nodes_[0].ranks.resize(index.ranks());
   std::iota(nodes_[0].ranks.begin(), nodes_[0].ranks.end(), 0U);
 }
 
-void RuleSearch::run(ActionType type, const std::stop_token& stop) {
-  type_ = type;
-  stop_ = stop;
-  rules_.clear();
-  std::fill(explained_.begin(), explained_.end(), char{0});
+void RuleSearch::run(const Found& found) {
+  found_ = &found;
+  own_.clear();
   for (std::uint32_t rank = 0; rank < index_.ranks() && !stop_.stop_requested(); ++rank) {
     grow_item(rank);
   }
+}
+
+void RuleSearch::run(std::uint32_t rank, std::uint32_t min_count, const Found& found) {
+  found_ = &found;
+  own_.clear();
+  limits_.min_count = std::max(limits_.min_count, min_count);
+  grow_item(rank);
 }
 
 // The first item of a prefix: the transactions that hold it are lists yet, not bits.
@@ -126,7 +134,7 @@ bool RuleSearch::keep_frequent_pairs(std::uint32_t rank, std::span<const std::ui
   }
   root.kept.clear();
   for (std::uint32_t other = 0; other < rank; ++other) {
-    if (root.own_counts[other] >= limits_.min_count && explained_[other] == 0 &&
+    if (root.own_counts[other] >= limits_.min_count && !explained(other) &&
         (limits_.min_stretches <= 1 || stretch_counts_[other] >= limits_.min_stretches)) {
       root.kept.push_back(other);
     }
@@ -251,13 +259,13 @@ void RuleSearch::keep_unexplained(Node& node, std::uint32_t rank) {
   std::erase_if(node.kept, [&](std::uint32_t row) { return explained(rank, node.ranks[row]); });
 }
 
+bool RuleSearch::explained(std::uint32_t rank) const {
+  return own_.alone(rank) || (known_ != nullptr && known_->alone(rank));
+}
+
 bool RuleSearch::explained(std::uint32_t previous, std::uint32_t last) const {
-  const auto rules = rules_.find(previous << 16 | last);
-  return rules != rules_.end() &&
-         std::any_of(rules->second.begin(), rules->second.end(), [&](const Ranks& rest) {
-           return std::all_of(rest.begin(), rest.end(),
-                              [&](std::uint32_t rank) { return in_prefix_[rank] != 0; });
-         });
+  return own_.end_in(previous, last, in_prefix_) ||
+         (known_ != nullptr && known_->end_in(previous, last, in_prefix_));
 }
 
 // Counts the other types' transactions of each kept set, until it is certain that there are too
@@ -319,16 +327,10 @@ void RuleSearch::report(Node& node) {
 
 // Reports the prefix with `rank`.
 void RuleSearch::report(std::uint32_t rank, std::uint32_t count, std::uint32_t others) {
-  items_.assign(1, index_.item(rank));
-  for (const std::uint32_t earlier : prefix_) items_.push_back(index_.item(earlier));
-  std::sort(items_.begin(), items_.end());
-  limits_.min_count = std::max(limits_.min_count, found_(items_, count, count + others));
-  if (limits_.grow_confident) return;
-  if (prefix_.empty()) {
-    explained_[rank] = 1;
-  } else {
-    rules_[prefix_.back() << 16 | rank].emplace_back(prefix_.begin(), prefix_.end() - 1);
-  }
+  rule_ = prefix_;
+  rule_.push_back(rank);
+  limits_.min_count = std::max(limits_.min_count, (*found_)(rule_, count, count + others));
+  if (!limits_.grow_confident) own_.add(rule_);
 }
 
 }  // namespace pacer::affordance

@@ -6,11 +6,11 @@
 #include <functional>
 #include <span>
 #include <stop_token>
-#include <unordered_map>
 #include <vector>
 
 #include "learning/affordance/apriori.h"
 #include "learning/affordance/bit_table.h"
+#include "learning/affordance/known_rules.h"
 #include "learning/affordance/transaction_index.h"
 
 namespace pacer::affordance {
@@ -41,14 +41,21 @@ struct Thresholds {
 /// have the support, and only until there are too many of them.
 class RuleSearch {
  public:
-  /// Takes each rule as it is found, and returns the least count of the rules still wanted.
-  using Found = std::function<std::uint32_t(std::span<const Item> items, std::uint32_t count,
-                                            std::uint32_t holding)>;
+  /// Takes each rule as it is found, and returns the least count of the rules still wanted. `ranks`
+  /// of its items are descending: the rarest first.
+  using Found = std::function<std::uint32_t(std::span<const std::uint32_t> ranks,
+                                            std::uint32_t count, std::uint32_t holding)>;
 
-  /// `index` must outlive the search.
-  RuleSearch(const TransactionIndex& index, const Thresholds& thresholds, Found found);
-  /// Ends early when `stop` is requested.
-  void run(ActionType type, const std::stop_token& stop = {});
+  /// `index` must outlive the search, and so must `known`, if given: rules that are not grown and
+  /// were found elsewhere. Ends early when `stop` is requested.
+  RuleSearch(const TransactionIndex& index, const Thresholds& thresholds, ActionType type,
+             std::stop_token stop = {}, const KnownRules* known = nullptr);
+
+  /// All rules, those of more frequent items first.
+  void run(const Found& found);
+  /// Those whose rarest item has `rank`, of at least `min_count`. Where rules are not grown there
+  /// may be some that hold one of a lower rank, unless that is known.
+  void run(std::uint32_t rank, std::uint32_t min_count, const Found& found);
 
  private:
   using Words = std::vector<BitTable::Word>;
@@ -86,22 +93,27 @@ class RuleSearch {
   void report(Node& node);
   void report(std::uint32_t rank, std::uint32_t count, std::uint32_t others);
   [[nodiscard]] bool enough_stretches(const Node& node, std::size_t row) const;
+  [[nodiscard]] bool explained(std::uint32_t rank) const;
   [[nodiscard]] bool explained(std::uint32_t previous, std::uint32_t last) const;
 
   const TransactionIndex& index_;
   Thresholds limits_;
-  Found found_;
-  ActionType type_ = 0;
+  ActionType type_;
   std::stop_token stop_;
+  const KnownRules* known_;  ///< found elsewhere; null where there are none
+  KnownRules own_;           ///< found here
+  const Found* found_ = nullptr;
   std::vector<Node> nodes_;
   Ranks prefix_;                 ///< descending
   Ranks row_of_;                 ///< by rank: its row in the tables of nodes_[1]
   Ranks stretch_counts_;         ///< by rank: together with the first item
   std::vector<char> in_prefix_;  ///< by rank
-  std::vector<char> explained_;  ///< by rank: the item alone is a rule that is not grown
-  std::vector<Item> items_;      ///< of the rule being reported
-  /// Rules that are not grown, by their two most frequent items: the other items.
-  std::unordered_map<std::uint32_t, std::vector<Ranks>> rules_;
+  Ranks rule_;                   ///< being reported
 };
+
+/// All rules of `type`, searched on up to `jobs` threads and handed to `found` on this one, those
+/// of more frequent items first. Which they are does not depend on `jobs`.
+void search_rules(const TransactionIndex& index, const Thresholds& thresholds, ActionType type,
+                  int jobs, const std::stop_token& stop, const RuleSearch::Found& found);
 
 }  // namespace pacer::affordance

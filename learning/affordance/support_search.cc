@@ -39,7 +39,8 @@ class RuleCounter {
 };
 
 SupportChoice search(const TransactionDatabase& database, std::span<const ActionType> types,
-                     const AprioriConfig& config, std::size_t wanted, const std::stop_token& stop) {
+                     const AprioriConfig& config, std::size_t wanted, int jobs,
+                     const std::stop_token& stop) {
   config.validate();
   require(wanted >= 1, "wanted: must be at least 1");
   Thresholds thresholds(config, database.size());
@@ -51,9 +52,10 @@ SupportChoice search(const TransactionDatabase& database, std::span<const Action
     RuleCounter counter(start, highest, wanted);
     for (const ActionType type : types) {
       thresholds.min_count = counter.min_count();
-      RuleSearch(index, thresholds, [&](std::span<const Item>, std::uint32_t count, std::uint32_t) {
-        return counter.add(count);
-      }).run(type, stop);
+      search_rules(index, thresholds, type, jobs, stop,
+                   [&](std::span<const std::uint32_t>, std::uint32_t count, std::uint32_t) {
+                     return counter.add(count);
+                   });
     }
     if (counter.min_count() > start || start == lowest || stop.stop_requested()) {
       return {support_percent_of(counter.min_count(), database.size()), counter.min_count(),
@@ -65,10 +67,10 @@ SupportChoice search(const TransactionDatabase& database, std::span<const Action
 }  // namespace
 
 SupportChoice support_for_rule_count(const TransactionDatabase& database, ActionType type,
-                                     const AprioriConfig& config, std::size_t wanted,
+                                     const AprioriConfig& config, std::size_t wanted, int jobs,
                                      const std::stop_token& stop) {
   check(type < database.type_count, "the action type is one of the database's");
-  return search(database, {&type, 1}, config, wanted, stop);
+  return search(database, {&type, 1}, config, wanted, jobs, stop);
 }
 
 SupportChoice support_for_rule_count(const TransactionDatabase& database,
@@ -77,7 +79,7 @@ SupportChoice support_for_rule_count(const TransactionDatabase& database,
   for (int type = 0; type < database.type_count; ++type) {
     types.push_back(static_cast<ActionType>(type));
   }
-  return search(database, types, config, wanted, {});
+  return search(database, types, config, wanted, 1, {});
 }
 
 }  // namespace pacer::affordance

@@ -242,6 +242,8 @@ void Trainer::build_database() {
 void Trainer::mine() {
   const auto types = static_cast<std::size_t>(model_.actions.count());
   std::vector<std::vector<Rule>> selected(types);
+  // A type a thread; where there are threads to spare, several within a type.
+  const int jobs_a_type = std::max(1, options_.jobs / model_.actions.count());
   parallel_for(types, options_.jobs, [&](std::size_t t) {
     if (options_.stop.stop_requested()) throw TrainingStopped();
     TrainingReport::Type& report = report_.types[t];
@@ -251,10 +253,10 @@ void Trainer::mine() {
     AprioriConfig mining = config_.mining;
     const SupportChoice choice = support_for_rule_count(
         database_, type, mining, static_cast<std::size_t>(config_.selection.max_candidates),
-        options_.stop);
+        jobs_a_type, options_.stop);
     const bool raised = choice.min_count > Thresholds(mining, database_.size()).min_count;
     mining.support_percent = choice.support_percent;
-    std::vector<Rule> rules = mine_rules(database_, type, mining, options_.stop);
+    std::vector<Rule> rules = mine_rules(database_, type, mining, jobs_a_type, options_.stop);
     if (options_.stop.stop_requested()) throw TrainingStopped();
     report.support_percent = mining.support_percent;
     report.mined = rules.size();
@@ -301,7 +303,7 @@ void Trainer::learn_mappings() {
   model_.rules = std::move(rules);
   for (const EpisodeMatches& episode : matches) report_.frames_matched += episode.frames(kept);
   if (model_.rules.empty()) {
-    throw std::runtime_error(
+    throw NothingLearnt(
         "no rule holds in the demonstration: it is too short or too uniform (the shipped scenario "
         "wants about two minutes); record more, or lower affordance.mining.support_percent");
   }

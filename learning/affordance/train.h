@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,12 +49,17 @@ struct Training {
   TrainingReport report;
 };
 
+/// No rule holds in the demonstration: it is too short, or too uniform.
+struct NothingLearnt : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Learns a model from `demonstration` (chapter 6). Reads it twice, an episode a thread, and keeps
 /// of it no more than the features of the frames that count, as words.
 ///
 /// The same demonstration, config and random: the same model.
-/// Throws UsageError when there is nothing to learn from: no frames, one action only, no features,
-/// or no rule that holds; std::invalid_argument when `config` is not valid; TrainingStopped; and
+/// Throws UsageError when there is nothing to learn from: no frames, one action only, no features;
+/// NothingLearnt; std::invalid_argument when `config` is not valid; TrainingStopped; and
 /// whatever the demonstration throws.
 [[nodiscard]] Training train(const Demonstration& demonstration, const AffordanceConfig& config,
                              const Random& random, const TrainingOptions& options = {});

@@ -162,7 +162,7 @@ TEST(Train, RefusesADemonstrationWithoutFrames) {
 
 TEST(Train, RefusesADemonstrationTooShortForAnyRule) {
   const auto ten = changed(10, [](PatchStep&) {});
-  EXPECT_THROW((void)train(ten, small_config(), Random(1), {}), std::runtime_error);
+  EXPECT_THROW((void)train(ten, small_config(), Random(1), {}), NothingLearnt);
 }
 
 TEST(Train, EndsWhenAStopIsRequested) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <ostream>
 #include <stdexcept>
+#include <stop_token>
 #include <vector>
 
 #include "core/random.h"
@@ -98,6 +99,9 @@ TEST(Apriori, EqualsBruteForceOnSmallDatabases) {
       const auto action = static_cast<ActionType>(type);
       const std::vector<Rule> expected = reference::brute_force(database, action, config);
       ASSERT_EQ(mine_rules(database, action, config), expected);
+      if (trial % 10 == 0) {
+        ASSERT_EQ(mine_rules(database, action, config, 3), expected);
+      }
       rules += expected.size();
       with_rules += expected.empty() ? 0 : 1;
     }
@@ -123,6 +127,7 @@ TEST(Apriori, EqualsLevelWiseAprioriOnALargeDatabase) {
     config.min_stretches = grow ? 1 : 10;
     const std::vector<Rule> rules = mine_rules(database, 2, config);
     EXPECT_EQ(rules, reference::level_wise(database, 2, config));
+    EXPECT_EQ(rules, mine_rules(database, 2, config, 2));
     EXPECT_GT(rules.size(), 100U);
   }
 }
@@ -147,6 +152,16 @@ TEST(Apriori, MiningAllTypesGivesTheRulesOfEachInOrderWhateverTheJobs) {
   EXPECT_EQ(mine_rules(database, config), expected);
   EXPECT_EQ(mine_rules(database, config, 3), expected);
   EXPECT_EQ(mine_rules(database, config, 100), expected);
+}
+
+TEST(Apriori, EndsEarlyWhateverTheJobs) {
+  TransactionDatabase database = empty_database(12, 1);
+  add_copies(database, 5, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, 0);
+  std::stop_source stop;
+  stop.request_stop();
+  for (const int jobs : {1, 2}) {
+    EXPECT_THAT(mine_rules(database, 0, loose(), jobs, stop.get_token()), IsEmpty());
+  }
 }
 
 TEST(Apriori, RoundsSupportUpAndReadsThePercentAsWritten) {

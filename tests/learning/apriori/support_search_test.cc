@@ -47,6 +47,9 @@ TEST(SupportForRuleCount, OneTransactionLessWouldGiveMoreRulesThanWanted) {
         EXPECT_EQ(rules.size(), choice.rules);
         EXPECT_LE(rules.size(), wanted);
         for (const Rule& rule : rules) EXPECT_GE(rule.count, choice.min_count);
+        const SupportChoice threaded = support_for_rule_count(database, type, config, wanted, 2);
+        EXPECT_EQ(threaded.min_count, choice.min_count);
+        EXPECT_EQ(threaded.rules, choice.rules);
 
         chosen.support_percent = 100.0 * (choice.min_count - 1) / 3000.0;
         if (chosen.support_percent >= config.support_percent) {
