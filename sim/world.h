@@ -14,6 +14,7 @@
 #include "sim/draught.h"
 #include "sim/lead_driver.h"
 #include "sim/livery.h"
+#include "sim/person.h"
 #include "sim/placement.h"
 #include "sim/room.h"
 #include "sim/route.h"
@@ -23,9 +24,10 @@ namespace pacer::sim {
 
 /// What there is, and how it varies from episode to episode.
 struct WorldConfig {
-  bool furnished = true;  ///< false: a bare floor of the room's size
-  bool lead = true;       ///< false: the car is alone
-  bool balloons = true;   ///< a red and a green one
+  bool furnished = true;              ///< false: a bare floor of the room's size
+  bool lead = true;                   ///< false: the car is alone
+  std::string lead_body = "vehicle";  ///< what is followed looks like: vehicle or person
+  bool balloons = true;               ///< a red and a green one
   /// Where the car starts and the balloons stand. `route`: on the lead's way, and out of the way.
   /// `balloons`: as `placement` says, the balloons in the open.
   std::string layout = "route";
@@ -42,12 +44,14 @@ struct WorldConfig {
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
 
+  [[nodiscard]] bool follows_a_person() const { return lead && lead_body == "person"; }
   [[nodiscard]] bool balloons_in_the_open() const { return layout == "balloons"; }
 
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("furnished", furnished);
     visit("lead", lead);
+    visit("lead_body", lead_body);
     visit("balloons", balloons);
     visit("layout", layout);
     visit("placement", placement);
@@ -111,6 +115,7 @@ class World {
   std::optional<Vehicle> car_;
   std::optional<Vehicle> lead_;
   std::optional<LeadDriver> lead_driver_;
+  std::optional<Gait> gait_;  // where the lead is a person
   std::optional<Draught> draught_;
   Pulses lead_pulses_;
   std::int64_t step_ = 0;
