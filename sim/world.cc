@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -98,11 +99,13 @@ void fit_outline(mjSpec& spec, const LeadShell& shell) {
 
 void WorldConfig::validate() const {
   draught.validate("draught_n", 0.0, 0.03);
-  require(layout == "route" || layout == "balloons", "layout: must be route or balloons");
-  require(layout == "route" || balloons, "balloons: the layout asks for them");
+  require(layout == "route" || layout == "balloons" || layout == "lane",
+          "layout: must be route, balloons or lane");
+  require(layout != "balloons" || balloons, "balloons: the layout asks for them");
   require(layout == "route" || !lead, "lead: only the layout route has a way for one");
   require(lead_body == "vehicle" || lead_body == "person", "lead_body: must be vehicle or person");
   placement.validate();
+  lane.validate();
   livery.validate();
   room.validate();
   car.validate();
@@ -177,9 +180,23 @@ void World::lay_out(const WorldConfig& config, mjSpec& spec, const Random& room)
   if (config.balloons) {
     hang(balloon_places(plan_, room.fork("balloon_places")), {0.34, 0.55});
   }
+  if (config.has_a_lane()) {
+    put_on_lane(config, spec, room);
+    return;
+  }
   if (!config.furnished && !config.lead) return;
   route_ = plan_route(config.route, plan_, room.fork("route"));
   start_ = route_.follower_start();
+}
+
+void World::put_on_lane(const WorldConfig& config, mjSpec& spec, const Random& room) {
+  lane_ = lay_lane(config.lane, plan_, room.fork("course"));
+  boards_ = stand_boards(lane_, config.lane.spacing);
+  mark_lane(spec, lane_, boards_, Random(config.livery.design), config.livery);
+  Random put = room.fork("start");
+  const double along = put.uniform(0.0, lane_.length());
+  start_.position = lane_.beside(along, config.lane.start_aside.draw(put));
+  start_.yaw = lane_.at(along).yaw + config.lane.start_turn.draw(put) * std::numbers::pi / 180.0;
 }
 
 void World::compile(mjSpec& spec) {

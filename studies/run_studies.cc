@@ -100,7 +100,12 @@ const std::vector<Study>& studies() {
       {"apriori", "mining: equal to independent implementations, and its time", "follow",
        study_apriori, "transactions"},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", "follow", study_hits},
-      {"following", "closed loop in unseen rooms, against the teacher", "follow", study_following}};
+      {"following", "closed loop in unseen rooms, against the teacher", "follow", study_following},
+      {.name = "tasks",
+       .about = "another target and another task, nothing changed but the demonstrations",
+       .scenario = "person",
+       .run = study_tasks,
+       .also = "lane"}};
   return all;
 }
 
@@ -129,12 +134,13 @@ ordered_json run_study(const Study& study, const StudyContext& context) {
 }
 
 ordered_json run_all_studies(StudyContext context,
-                             const std::function<Scenario(const Study&)>& scenario_of) {
+                             const std::function<void(const Study&, StudyContext&)>& set_scenes) {
   if (context.out.empty()) throw UsageError("study all: --out names the folder of its page");
   ordered_json results = ordered_json::object();
   for (const Study& study : studies()) {
-    context.scenario = scenario_of(study);
+    set_scenes(study, context);
     std::string made_of = Materials(context).fingerprint();
+    if (context.also) made_of += to_yaml(*context.also);
     for (const auto& given : {context.images, context.sequences}) {
       made_of += " " + (given ? given->string() : "");
     }
