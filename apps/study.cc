@@ -33,14 +33,14 @@ struct StudyCommand {
     if (!sequences.empty()) context.sequences = sequences;
     context.out = out;
     if (study == nullptr) {
-      const nlohmann::ordered_json all =
-          run_all_studies(context, [this](const Study& each) { return scenario_of(each); });
+      const nlohmann::ordered_json all = run_all_studies(
+          context, [this](const Study& each, StudyContext& its) { set_scenes(each, its); });
       progress.finish();
       common.write_json(all);
       return;
     }
     refuse_what_it_does_not_take(*study);
-    context.scenario = scenario_of(*study);
+    set_scenes(*study, context);
     const nlohmann::ordered_json result = run_study(*study, context);
     progress.finish();
     fmt::print("{}\n{}", study->about, to_text(result));
@@ -58,10 +58,17 @@ struct StudyCommand {
     }
   }
 
-  [[nodiscard]] Scenario scenario_of(const Study& study) const {
-    const std::filesystem::path file =
-        scenario.empty() ? std::filesystem::path("scenarios") / (study.scenario + ".yaml")
-                         : scenario;
+  /// The scenarios of `study`, each with the overrides of the command line.
+  void set_scenes(const Study& study, StudyContext& context) const {
+    context.scenario = scenario.empty() ? shipped(study.scenario) : loaded(scenario);
+    context.also = study.also.empty() ? std::nullopt : std::optional(shipped(study.also));
+  }
+
+  [[nodiscard]] Scenario shipped(const std::string& which) const {
+    return loaded(std::filesystem::path("scenarios") / (which + ".yaml"));
+  }
+
+  [[nodiscard]] Scenario loaded(const std::filesystem::path& file) const {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
       throw UsageError(file.string() +
@@ -82,7 +89,7 @@ void add_study(CLI::App& app, const std::stop_token& stop) {
   command->add_option("NAME", options->name, "A study, or all")->required();
   command->add_option("--scenario", options->scenario,
                       "The scenario it is measured on (default: scenarios/balloon.yaml for chapter "
-                      "5's, else scenarios/follow.yaml)");
+                      "5's, person.yaml and lane.yaml for tasks, else follow.yaml)");
   command->add_option("--out", options->out, "Folder for its page");
   command->add_option("--cache", options->cache, "Folder of recordings and models kept for reuse")
       ->capture_default_str();

@@ -93,7 +93,7 @@ std::string drive_episode(const Scenario& scenario, const std::vector<PolicySour
   std::optional<Shadow> shadow;
   // Figure 6.15 is of models that answer every frame.
   if (source.name() == "teacher" && episode < options.traces &&
-      scenario.what_for() == Goal::kFollow) {
+      scenario.what_for() != Goal::kReach) {
     shadow.emplace(sources, scenario, car, random.fork("shadow"));
     sinks.push_back(&*shadow);
   }

@@ -93,8 +93,22 @@ void add_distributions(Content& content, const EvaluationRun& run, const Palette
   }
 }
 
-/// When an episode counts.
-std::string rule(const Scenario& scenario) {
+/// What differs from episode to episode besides the room.
+const char* courses(Goal goal) {
+  switch (goal) {
+    case Goal::kReach:
+      return "places";
+    case Goal::kKeep:
+      return "lanes";
+    case Goal::kFollow:
+      break;
+  }
+  return "routes";
+}
+
+}  // namespace
+
+std::string success_rule(const Scenario& scenario) {
   if (scenario.what_for() == Goal::kReach) {
     return fmt::format(
         "Reached: the camera within {:.2f} m of the red balloon over the floor, before the car "
@@ -103,6 +117,14 @@ std::string rule(const Scenario& scenario) {
         "that a policy was asked about. Intervals are 95 %.",
         scenario.reaching.distance, scenario.reaching.standstill.count(),
         scenario.reaching.most_impulses, scenario.simulated.duration.count());
+  }
+  if (scenario.what_for() == Goal::kKeep) {
+    return fmt::format(
+        "Kept: {:.0f} s without a collision, the car's middle never more than {:.2f} m off the "
+        "lane's, never without getting on for more than {:.0f} s, and at least {:.0f} m along the "
+        "lane. An episode that has failed ends at once. Intervals are 95 %.",
+        scenario.keeping.duration.count(), scenario.keeping.most_offset,
+        scenario.keeping.standstill.count(), scenario.keeping.least_distance);
   }
   return fmt::format(
       "Followed: {:.0f} s without a collision, the lead never out of view for more than "
@@ -113,7 +135,7 @@ std::string rule(const Scenario& scenario) {
       100.0 * scenario.following.share_in_range);
 }
 
-void add_pictures(Content& content, const EvaluationRun& run) {
+void add_matches(Content& content, const EvaluationRun& run) {
   std::vector<report::Figure> figures;
   for (const MatchGallery::Picture& picture : run.pictures) {
     figures.push_back(
@@ -123,7 +145,7 @@ void add_pictures(Content& content, const EvaluationRun& run) {
   content.gallery(figures);
 }
 
-void add_clips(Content& content, const EvaluationRun& run) {
+void add_videos(Content& content, const EvaluationRun& run) {
   std::vector<report::Video> videos;
   for (const Clip& clip : run.clips) {
     videos.push_back(
@@ -133,8 +155,6 @@ void add_clips(Content& content, const EvaluationRun& run) {
   }
   content.videos(videos);
 }
-
-}  // namespace
 
 report::Page evaluation_page(const Scenario& scenario, const std::vector<PolicySource>& policies,
                              const EvaluationRun& run) {
@@ -148,11 +168,10 @@ report::Page evaluation_page(const Scenario& scenario, const std::vector<PolicyS
 
   report::Page page(scenario.name,
                     fmt::format("{} Unseen rooms, unseen {}: pacer {}, seed {}.", scenario.task,
-                                scenario.what_for() == Goal::kReach ? "places" : "routes", kVersion,
-                                scenario.seed));
+                                courses(scenario.what_for()), kVersion, scenario.seed));
   add_tiles(page.lead(), run);
   Content& scores = page.section("Scores");
-  scores.table(score_table(run.evaluation)).paragraph(rule(scenario));
+  scores.table(score_table(run.evaluation)).paragraph(success_rule(scenario));
   if (std::ranges::any_of(policies, [](const PolicySource& source) {
         return source.given_boxes() != GivenBoxes::kNone;
       })) {
@@ -161,7 +180,7 @@ report::Page evaluation_page(const Scenario& scenario, const std::vector<PolicyS
         "learnt from, or also in the first frame of each drive that shows it. The others had the "
         "pictures and the commands.");
   }
-  if (!run.clips.empty()) add_clips(page.section("Videos"), run);
+  if (!run.clips.empty()) add_videos(page.section("Videos"), run);
   if (!run.traces.empty() && !run.traces.front().models.empty()) {
     Content& signals = page.section("Action signals");
     signals.paragraph(
@@ -176,7 +195,7 @@ report::Page evaluation_page(const Scenario& scenario, const std::vector<PolicyS
       mined.paragraph(
           "For each action type the frame in which most of its rules matched: a "
           "configuration's centre, and the features its rule names (Figure 6.14).");
-      add_pictures(mined, run);
+      add_matches(mined, run);
     }
   }
   add_distributions(page.section("Over episodes"), run, palette);

@@ -16,9 +16,14 @@
 namespace pacer {
 std::unique_ptr<Policy> make_teacher(const Scenario& scenario, const sim::SimCar& car,
                                      const Random& random) {
-  if (scenario.what_for() == Goal::kReach) {
-    return std::make_unique<sim::ClickTeacher>(scenario.click_teacher, car.balloon_sights(),
-                                               random);
+  switch (scenario.what_for()) {
+    case Goal::kReach:
+      return std::make_unique<sim::ClickTeacher>(scenario.click_teacher, car.balloon_sights(),
+                                                 random);
+    case Goal::kKeep:
+      return std::make_unique<sim::LaneTeacher>(scenario.lane_teacher, car.lane_sight(), random);
+    case Goal::kFollow:
+      break;
   }
   return std::make_unique<sim::Teacher>(scenario.teacher, car.lead_sight(), random);
 }

@@ -8,7 +8,15 @@ namespace pacer {
 namespace {
 
 EpisodeScore empty(Goal goal) {
-  return goal == Goal::kReach ? EpisodeScore(ReachingResult{}) : EpisodeScore(FollowingResult{});
+  switch (goal) {
+    case Goal::kReach:
+      return ReachingResult{};
+    case Goal::kKeep:
+      return KeepingResult{};
+    case Goal::kFollow:
+      break;
+  }
+  return FollowingResult{};
 }
 
 /// Calls `visit(measure, value)` for each of the score's measures.
@@ -21,8 +29,13 @@ void for_each_measure(EpisodeScore& score, Visitor&& visit) {
 
 std::unique_ptr<Scorer> make_scorer(const Scenario& scenario,
                                     std::span<const SignalColumn> columns) {
-  if (scenario.what_for() == Goal::kReach) {
-    return std::make_unique<ReachingScore>(scenario.reaching, columns);
+  switch (scenario.what_for()) {
+    case Goal::kReach:
+      return std::make_unique<ReachingScore>(scenario.reaching, columns);
+    case Goal::kKeep:
+      return std::make_unique<KeepingScore>(scenario.keeping, columns);
+    case Goal::kFollow:
+      break;
   }
   return std::make_unique<FollowingScore>(scenario.following, columns);
 }

@@ -9,6 +9,7 @@
 
 #include "core/signals.h"
 #include "runs/following_score.h"
+#include "runs/keeping_score.h"
 #include "runs/reaching_score.h"
 #include "scenarios/scenario.h"
 

@@ -85,6 +85,14 @@ void ReachingConfig::validate() const {
   require(standstill.count() > 0.0, "standstill_s: must be positive");
 }
 
+void KeepingConfig::validate() const {
+  require(duration.count() > 0.0 && duration.count() <= 3600.0,
+          "duration_s: must lie in (0, 3600]");
+  require(most_offset > 0.0 && most_offset <= 1.0, "most_offset_m: must lie in (0, 1]");
+  require(least_distance >= 0.0, "least_distance_m: must not be negative");
+  require(standstill.count() > 0.0, "standstill_s: must be positive");
+}
+
 void RoomSplit::validate() const {
   require(!demonstrated.empty(), "demonstrated: name at least one kind of room");
   require(!unseen.empty(), "unseen: name at least one kind of room");
@@ -97,13 +105,17 @@ void RoomSplit::validate() const {
 }
 
 void Scenario::validate() const {
-  require(goal == "follow" || goal == "reach", "goal: expected follow or reach");
+  require(goal == "follow" || goal == "reach" || goal == "keep",
+          "goal: expected follow, reach or keep");
   if (car == "simulated") {
-    const bool balloons = simulated.world.balloons_in_the_open();
-    require(goal != "reach" || balloons,
+    const std::string& layout = simulated.world.layout;
+    require(goal != "reach" || layout == "balloons",
             "simulated.world.layout: set it to balloons, which are to be reached");
-    require(goal != "follow" || !balloons,
-            "simulated.world.layout: set it to route, or the goal to reach");
+    require(goal != "keep" || layout == "lane",
+            "simulated.world.layout: set it to lane, which is to be kept");
+    require(goal != "follow" || layout == "route",
+            "simulated.world.layout: set it to route, or the goal to " +
+                std::string(layout == "lane" ? "keep" : "reach"));
   }
   require(car == "simulated" || car == "replayed", "car: expected simulated or replayed");
   require(car != "replayed" || !replayed.dataset.empty(),

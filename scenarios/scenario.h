@@ -15,8 +15,10 @@
 #include "learning/affordance/config.h"
 #include "learning/exemplar/config.h"
 #include "scenarios/following.h"
+#include "scenarios/keeping.h"
 #include "scenarios/reaching.h"
 #include "sim/click_teacher.h"
+#include "sim/lane_teacher.h"
 #include "sim/sim_car.h"
 #include "sim/teacher.h"
 
@@ -52,6 +54,7 @@ struct ReplayedCarConfig {
 enum class Goal : std::uint8_t {
   kFollow,  ///< the lead vehicle, a command a frame (chapter 6)
   kReach,   ///< the red balloon, by impulses (chapter 5)
+  kKeep,    ///< its lane, a command a frame
 };
 
 /// What an episode is driven for. Each has seeds, and rooms, of its own: nothing that is scored
@@ -64,7 +67,7 @@ struct Scenario {
   std::string name = "unnamed";
   std::string task = "Follow the lead vehicle.";  ///< recorded with every episode
   std::uint64_t seed = 1;
-  std::string goal = "follow";    ///< follow or reach
+  std::string goal = "follow";    ///< follow, reach or keep
   std::string car = "simulated";  ///< simulated or replayed: the switch
   Limits limits;
   Channels channels;
@@ -73,11 +76,13 @@ struct Scenario {
   ReplayedCarConfig replayed;
   sim::TeacherConfig teacher;             ///< of following
   sim::ClickTeacherConfig click_teacher;  ///< of reaching
+  sim::LaneTeacherConfig lane_teacher;    ///< of keeping
   ImpulseConfig impulses;                 ///< of reaching
   affordance::AffordanceConfig affordance;
   exemplar::ExemplarConfig exemplar;
   FollowingConfig following;
   ReachingConfig reaching;
+  KeepingConfig keeping;
   dataset::VideoSettings video;  ///< of recorded datasets
 
   /// Throws std::invalid_argument for what no section can see alone.
@@ -97,15 +102,20 @@ struct Scenario {
     visit("replayed", replayed);
     visit("teacher", teacher);
     visit("click_teacher", click_teacher);
+    visit("lane_teacher", lane_teacher);
     visit("impulses", impulses);
     visit("affordance", affordance);
     visit("exemplar", exemplar);
     visit("following", following);
     visit("reaching", reaching);
+    visit("keeping", keeping);
     visit("video", video);
   }
 
-  [[nodiscard]] Goal what_for() const { return goal == "reach" ? Goal::kReach : Goal::kFollow; }
+  [[nodiscard]] Goal what_for() const {
+    if (goal == "keep") return Goal::kKeep;
+    return goal == "reach" ? Goal::kReach : Goal::kFollow;
+  }
 
   /// All chance of one episode.
   [[nodiscard]] Random episode_random(Purpose purpose, std::uint64_t index) const;

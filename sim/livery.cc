@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
 
+#include "sim/panel.h"
 #include "sim/print.h"
 #include "sim/shape.h"
 #include "sim/texture.h"
@@ -17,86 +17,11 @@ namespace {
 
 using Eigen::Vector3d;
 using texture::Colour;
-using texture::shade;
+using texture::hsv;
 
-constexpr double kTexels = 900.0;  // a metre
-const Colour kGlass(26, 32, 44);
-const Colour kWhite(244, 243, 238);
-const Colour kBlack(18, 18, 22);
-
-int px(double metres) { return static_cast<int>(std::lround(metres * kTexels)); }
-
-/// A colour of this hue (degrees), saturation and value in [0, 1].
-Colour hsv(double hue, double saturation, double value) {
-  const auto channel = [&](double n) {
-    const double k = std::fmod(n + hue / 60.0, 6.0);
-    return 255.0 * (value - value * saturation * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
-  };
-  return {channel(5.0), channel(3.0), channel(1.0)};
-}
-
-/// One side's print, painted in metres from its top-left corner.
-class Panel {
- public:
-  Panel(double width, double height, const Colour& paint)
-      : picture_(cv::Size(px(width), px(height)), CV_8UC3, paint) {}
-
-  void fill(double x, double y, double width, double height, const Colour& colour) {
-    cv::rectangle(picture_, cv::Rect(px(x), px(y), px(width), px(height)), colour, cv::FILLED);
-  }
-  void disc(double x, double y, double radius, const Colour& colour) {
-    cv::circle(picture_, {px(x), px(y)}, px(radius), colour, cv::FILLED, cv::LINE_AA);
-  }
-  void slash(double x, double y, double width, double height, double lean, const Colour& colour) {
-    const std::vector<cv::Point> corners = {{px(x + lean), px(y)},
-                                            {px(x + lean + width), px(y)},
-                                            {px(x + width), px(y + height)},
-                                            {px(x), px(y + height)}};
-    cv::fillConvexPoly(picture_, corners, colour, cv::LINE_AA);
-  }
-  void text(double x, double y, double width, double height, const std::string& words,
-            const Colour& ink) {
-    print::write(picture_, words, {px(x), px(y), px(width), px(height)}, ink);
-  }
-  void checker(double x, double y, int columns, int rows, double side, const Colour& even,
-               const Colour& odd) {
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        fill(x + column * side, y + row * side, side, side, (row + column) % 2 == 0 ? even : odd);
-      }
-    }
-  }
-  /// A sponsors' corner: little marks, no two alike.
-  void marks(double x, double y, int columns, int rows, double side, Random random) {
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        const double left = x + column * side;
-        const double top = y + row * side;
-        const bool dark = random.chance(0.5);
-        const Colour ground = dark ? shade(print::bright(random), -0.65) : kWhite;
-        const Colour ink = dark ? shade(print::bright(random), 0.55) : kBlack;
-        fill(left, top, 0.92 * side, 0.92 * side, ground);
-        switch (random.below(4)) {
-          case 0:
-            disc(left + 0.46 * side, top + 0.46 * side, 0.3 * side, ink);
-            break;
-          case 1:
-            fill(left + 0.15 * side, top + 0.15 * side, 0.3 * side, 0.62 * side, ink);
-            break;
-          case 2:
-            slash(left + 0.1 * side, top + 0.12 * side, 0.3 * side, 0.68 * side, 0.4 * side, ink);
-            break;
-          default:
-            fill(left + 0.12 * side, top + 0.5 * side, 0.68 * side, 0.28 * side, ink);
-        }
-      }
-    }
-  }
-  [[nodiscard]] const cv::Mat& picture() const { return picture_; }
-
- private:
-  cv::Mat picture_;
-};
+const Colour& kGlass = Panel::kGlass;
+const Colour& kWhite = Panel::kWhite;
+const Colour& kBlack = Panel::kBlack;
 
 struct Paint {
   Colour body, second, accent;

@@ -46,7 +46,17 @@ const std::vector<SignalColumn>& privileged_columns(Subject subject) {
                      {"privileged.lead_distance", {"distance"}},
                      {"privileged.lead_bearing", {"bearing"}}});
   static const Columns kBalloons = columns_about(balloon_columns());
-  return subject == Subject::kLead ? kLead : kBalloons;
+  static const Columns kLane = columns_about(
+      {{"privileged.lane_driven", {"distance", "laps"}}, {"privileged.lane_offset", {"offset"}}});
+  switch (subject) {
+    case Subject::kBalloons:
+      return kBalloons;
+    case Subject::kLane:
+      return kLane;
+    case Subject::kLead:
+      break;
+  }
+  return kLead;
 }
 
 void values_of(const Privileged& truth, Subject subject, std::vector<float>& values) {
@@ -64,6 +74,8 @@ void values_of(const Privileged& truth, Subject subject, std::vector<float>& val
     add(truth.lead_speed, truth.box_low.x(), truth.box_low.y(), truth.box_high.x(),
         truth.box_high.y(), truth.lead_in_view, truth.lead_visible, truth.lead_distance,
         truth.lead_bearing);
+  } else if (subject == Subject::kLane) {
+    add(truth.lane.driven, truth.lane.laps, truth.lane.offset);
   } else {
     for (const BalloonTruth& balloon : {truth.red, truth.green}) {
       add(balloon.position.x(), balloon.position.y(), balloon.sight.pixels,

@@ -20,6 +20,13 @@ struct BalloonTruth {
   double bearing = 0.0;                                ///< radians from the camera's axis, + left
 };
 
+/// The truth about the car on its lane.
+struct LaneTruth {
+  double driven = 0.0;  ///< metres along the middle line since the first frame
+  double laps = 0.0;    ///< the same, in laps
+  double offset = 0.0;  ///< metres from the middle line to the car's middle, + left
+};
+
 /// The truth about one frame, at its shutter: for teachers, scores and tests; never for a learner.
 struct Privileged {
   FloorPose car_pose;
@@ -34,19 +41,21 @@ struct Privileged {
   double lead_bearing = 0.0;   ///< radians from the camera's axis, + left
   BalloonTruth red;
   BalloonTruth green;
+  LaneTruth lane;
   bool collision = false;       ///< the car touched something since the frame before
   double corrupted_rows = 0.0;  ///< share of the picture's rows
   int room_kind = 0;            ///< index into room_kinds(); -1 for a bare floor
 };
 
 /// What an episode is about besides the car: which columns it has.
-enum class Subject : std::uint8_t { kLead, kBalloons };
+enum class Subject : std::uint8_t { kLead, kBalloons, kLane };
 
 /// The columns of `Privileged`, each named `privileged.` and: car_pose [x, y, yaw], car_speed; of
 /// the lead lead_pose [x, y, yaw], lead_speed, lead_box [left, top, right, bottom], lead_in_view,
 /// lead_visible, lead_distance, lead_bearing; or of each balloon red_position [x, y], red_pixels
 /// (that show it), red_centroid [x, y] of those, red_distance, red_bearing, and green_ likewise;
-/// then collision, corrupted_rows, room_kind.
+/// or of the lane lane_driven [distance, laps], lane_offset; then collision, corrupted_rows,
+/// room_kind.
 [[nodiscard]] const std::vector<SignalColumn>& privileged_columns(Subject subject);
 
 /// Fills `values` with `truth` in the order of the columns.

@@ -8,6 +8,7 @@
 
 #include "core/check.h"
 #include "sim/delayed_pulses.h"
+#include "sim/lane_view.h"
 
 namespace pacer::sim {
 namespace {
@@ -42,6 +43,7 @@ std::int64_t steps_per_frame(const CameraConfig& camera) {
 }
 
 Subject subject_of(const WorldConfig& world) {
+  if (world.has_a_lane()) return Subject::kLane;
   return world.balloons_in_the_open() ? Subject::kBalloons : Subject::kLead;
 }
 
@@ -58,6 +60,7 @@ struct Shot {
   Frame frame;
   LeadSight sight;
   BalloonSights balloons;
+  LaneSight lane;
   Privileged truth;
 };
 
@@ -98,6 +101,9 @@ class SimCar::Episode {
       visibility_.emplace(world_.model(), world_.camera(), world_.lead()->body(),
                           camera_.geometry());
     }
+    if (subject_ == Subject::kLane) {
+      lane_view_.emplace(world_.model(), world_.camera(), world_.boards(), camera_.geometry());
+    }
     values_of(truth_, subject_, values_);
   }
 
@@ -109,6 +115,7 @@ class SimCar::Episode {
     const Shot& shot = shots_[shown_++ % shots_.size()];
     sight_ = shot.sight;
     balloons_ = shot.balloons;
+    lane_ = shot.lane;
     truth_ = shot.truth;
     values_of(truth_, subject_, values_);
     return &shot.frame;
@@ -120,6 +127,7 @@ class SimCar::Episode {
   [[nodiscard]] SignalValues values() const noexcept { return values_; }
   [[nodiscard]] const LeadSight& sight() const noexcept { return sight_; }
   [[nodiscard]] const BalloonSights& balloons() const noexcept { return balloons_; }
+  [[nodiscard]] const LaneSight& lane() const noexcept { return lane_; }
   [[nodiscard]] const Privileged& truth() const noexcept { return truth_; }
   [[nodiscard]] const World& world() const noexcept { return world_; }
 
@@ -152,8 +160,20 @@ class SimCar::Episode {
       shot.truth.red = balloon("red_balloon", shot.balloons.red);
       shot.truth.green = balloon("green_balloon", shot.balloons.green);
     }
+    if (lane_view_) {
+      shot.lane = lane_view_->look(data, spoilt);
+      tell_lane(shot.truth);
+    }
     collision_ = false;
     ++taken_;
+  }
+
+  void tell_lane(Privileged& truth) {
+    const Lane& lane = world_.lane();
+    const Lane::Place place = lane.nearest(truth.car_pose.position);
+    if (taken_ > 0) driven_ += std::remainder(place.along - along_, lane.length());
+    along_ = place.along;
+    truth.lane = {.driven = driven_, .laps = driven_ / lane.length(), .offset = place.offset};
   }
 
   void tell_lead(std::span<const RowBand> spoilt, Shot& shot) {
@@ -193,6 +213,7 @@ class SimCar::Episode {
   World world_;
   Camera camera_;
   std::optional<Visibility> visibility_;
+  std::optional<LaneView> lane_view_;
   int room_kind_;
   Subject subject_;
 
@@ -201,9 +222,12 @@ class SimCar::Episode {
   std::uint64_t shown_ = 0;  // frames that look() has returned
   std::int64_t step_ = 0;    // the present, in time steps
   bool collision_ = false;   // since the last shutter
+  double along_ = 0.0;       // metres of the lane, at the last shutter
+  double driven_ = 0.0;      // metres along it so far
 
   LeadSight sight_;
   BalloonSights balloons_;
+  LaneSight lane_;
   Privileged truth_;
   std::vector<float> values_;
 };
@@ -223,6 +247,7 @@ std::span<const SignalColumn> SimCar::signal_columns() const {
 SignalValues SimCar::signals() const { return episode_->values(); }
 const LeadSight& SimCar::lead_sight() const noexcept { return episode_->sight(); }
 const BalloonSights& SimCar::balloon_sights() const noexcept { return episode_->balloons(); }
+const LaneSight& SimCar::lane_sight() const noexcept { return episode_->lane(); }
 const Privileged& SimCar::truth() const noexcept { return episode_->truth(); }
 const World& SimCar::world() const noexcept { return episode_->world(); }
 

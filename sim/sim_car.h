@@ -63,6 +63,9 @@ class SimCar final : public Car {
   /// What the frame last shown shows of the balloons; nothing unless the world's layout is
   /// `balloons`. The reference lives as long as the car.
   [[nodiscard]] const BalloonSights& balloon_sights() const noexcept;
+  /// What can be seen of the lane's boards in the frame last shown; nothing unless the world's
+  /// layout is `lane`. The reference lives as long as the car.
+  [[nodiscard]] const LaneSight& lane_sight() const noexcept;
   /// The truth at the shutter of the frame last shown.
   [[nodiscard]] const Privileged& truth() const noexcept;
   /// The world at the present: later than the frame last shown.

@@ -42,17 +42,6 @@ namespace {
 constexpr double kMoodTime = 6.0;    // seconds, how long a liking for a distance lasts
 constexpr double kDriftTime = 0.12;  // seconds over which it judges how things drift
 
-/// The share of the way that a first-order lag of `constant` goes in `elapsed`.
-double share(double elapsed, double constant) {
-  return constant > 0.0 ? 1.0 - std::exp(-elapsed / constant) : 1.0;
-}
-
-/// One step of coloured noise (Ornstein and Uhlenbeck) of the given deviation.
-double coloured(double value, double elapsed, double constant, double deviation, Random& random) {
-  const double keep = std::exp(-elapsed / constant);
-  return keep * value + std::sqrt(1.0 - keep * keep) * random.normal(0.0, deviation);
-}
-
 }  // namespace
 
 Teacher::Teacher(const TeacherConfig& config, const LeadSight& sight, const Random& random)
@@ -60,13 +49,19 @@ Teacher::Teacher(const TeacherConfig& config, const LeadSight& sight, const Rand
   config_.validate();
   Random habits = random.fork("habits");
   reaction_ = config_.reaction.draw(habits);
-  smoothing_ = config_.smoothing.draw(habits);
+  const double smoothing = config_.smoothing.draw(habits);
   distance_ = config_.distance.draw(habits);
   eagerness_ = config_.eagerness.draw(habits);
   looming_ = config_.looming.draw(habits);
   steering_ = config_.steering.draw(habits);
   correction_ = config_.correction.draw(habits);
   mood_ = random_.normal(0.0, config_.wander);
+  hand_.emplace(HandTraits{.smoothing = smoothing,
+                           .steering_noise = config_.steering_noise,
+                           .throttle_noise = config_.throttle_noise,
+                           .noise_time = config_.noise_time,
+                           .steering_dead = config_.steering_dead,
+                           .throttle_dead = config_.throttle_dead});
 }
 
 Teacher::Percept Teacher::perceive(const Frame& frame) const {
@@ -89,7 +84,7 @@ Teacher::Percept Teacher::perceive(const Frame& frame) const {
 Command Teacher::wish(const Percept& now) {
   const double elapsed = now.time - before_.time;
   if (before_.seen && elapsed > 0.0) {
-    const double ease = share(elapsed, kDriftTime);
+    const double ease = lag_share(elapsed, kDriftTime);
     turning_ +=
         ease * (std::clamp((now.bearing - before_.bearing) / elapsed, -3.0, 3.0) - turning_);
     opening_ +=
@@ -127,24 +122,12 @@ Command Teacher::act(const Observation& observation, Annotations& annotations) {
   started_ = true;
   last_time_ = time;
 
-  if (count_ == kMost) {  // a camera faster than the ring: the oldest is forgotten early
-    first_ = (first_ + 1) % kMost;
-    --count_;
-  }
   const Percept fresh = perceive(frame);
-  seen_[(first_ + count_++) % kMost] = fresh;
-  Percept now = before_;  // the latest that is old enough to act on
-  while (count_ > 0 && seen_[first_].time <= time - reaction_ + 1e-9) {
-    now = seen_[first_];
-    first_ = (first_ + 1) % kMost;
-    --count_;
-  }
+  perceived_.perceive(fresh);
+  const Percept now = perceived_.act_on(time - reaction_, before_);
 
-  mood_ = coloured(mood_, elapsed, kMoodTime, config_.wander, random_);
-  tremor_.steering =
-      coloured(tremor_.steering, elapsed, config_.noise_time, config_.steering_noise, random_);
-  tremor_.throttle =
-      coloured(tremor_.throttle, elapsed, config_.noise_time, config_.throttle_noise, random_);
+  mood_ = coloured_noise(mood_, elapsed, kMoodTime, config_.wander, random_);
+  hand_->tremble(elapsed, random_);
   Command goal;  // neutral: it stops when it sees nothing
   if (now.seen) {
     goal = goal_ = wish(now);
@@ -153,22 +136,6 @@ Command Teacher::act(const Observation& observation, Annotations& annotations) {
     goal = goal_;  // a flicker of the picture
   }
   before_ = now;
-  const double ease = share(elapsed, smoothing_);
-  hand_.steering += ease * (goal.steering - hand_.steering);
-  hand_.throttle += ease * (goal.throttle - hand_.throttle);
-
-  Command wanted = hand_;
-  if (goal != Command{}) wanted.steering += tremor_.steering;
-  if (goal.throttle > 0.0) wanted.throttle = std::max(wanted.throttle + tremor_.throttle, 0.0);
-  if (std::abs(wanted.steering - stick_.steering) >= config_.steering_dead) {
-    stick_.steering = wanted.steering;
-  }
-  if (std::abs(wanted.throttle - stick_.throttle) >= config_.throttle_dead) {
-    stick_.throttle = wanted.throttle;
-  }
-  // A foot off the pedal is off.
-  if (goal.throttle == 0.0 && std::abs(hand_.throttle) < 0.02) stick_.throttle = 0.0;
-
   if (fresh.seen) {
     const Eigen::Vector2f low = sight_.low.cast<float>();
     const Eigen::Vector2f high = sight_.high.cast<float>();
@@ -177,7 +144,7 @@ Command Teacher::act(const Observation& observation, Annotations& annotations) {
   } else {
     annotations.label = "nothing to be seen";
   }
-  return stick_ = clamped(stick_);
+  return hand_->move(goal, elapsed);
 }
 
 }  // namespace pacer::sim

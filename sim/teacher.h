@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <optional>
 
 #include "core/policy.h"
 #include "core/random.h"
 #include "core/range.h"
+#include "sim/hand.h"
 #include "sim/sight.h"
 
 namespace pacer::sim {
@@ -100,18 +100,16 @@ class Teacher final : public Policy {
   TeacherConfig config_;
   const LeadSight& sight_;
   Random random_;
-  double reaction_, smoothing_, distance_, eagerness_, looming_, steering_, correction_;
+  double reaction_, distance_, eagerness_, looming_, steering_, correction_;
 
-  static constexpr std::size_t kMost = 64;
-  std::array<Percept, kMost> seen_{};  // a ring of what is not yet acted on
-  std::size_t first_ = 0, count_ = 0;
-  Percept before_;        // acted on last
-  double turning_ = 0.0;  // rad/s, drift of the bearing, smoothed
-  double opening_ = 0.0;  // m/s, drift of the distance, smoothed
-  double mood_ = 0.0;     // metres, off the distance it likes
-  Command goal_;          // of the last percept that showed the lead
+  Reaction<Percept> perceived_;  // what is not yet acted on
+  Percept before_;               // acted on last
+  double turning_ = 0.0;         // rad/s, drift of the bearing, smoothed
+  double opening_ = 0.0;         // m/s, drift of the distance, smoothed
+  double mood_ = 0.0;            // metres, off the distance it likes
+  Command goal_;                 // of the last percept that showed the lead
   double goal_time_ = -1e9;
-  Command tremor_, hand_, stick_;  // noise; smoothed wish; what the stick shows
+  std::optional<Hand> hand_;
   double last_time_ = 0.0;
   bool started_ = false;
 };

@@ -32,6 +32,14 @@ Colour vary(const Colour& colour, double deviation, Random& random) {
   return out;
 }
 
+Colour hsv(double hue, double saturation, double value) {
+  const auto channel = [&](double n) {
+    const double k = std::fmod(n + hue / 60.0, 6.0);
+    return 255.0 * (value - value * saturation * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
+  };
+  return {channel(5.0), channel(3.0), channel(1.0)};
+}
+
 cv::Mat noise(cv::Size size, int cells_x, int cells_y, Random& random) {
   cv::Mat grid(cells_y, cells_x, CV_32F);
   for (int y = 0; y < cells_y; ++y) {

@@ -21,6 +21,9 @@ using Colour = cv::Scalar;
 /// `colour` with each channel moved by a normal of this deviation: no two planks are alike.
 [[nodiscard]] Colour vary(const Colour& colour, double deviation, Random& random);
 
+/// A colour of this hue (degrees), saturation and value in [0, 1].
+[[nodiscard]] Colour hsv(double hue, double saturation, double value);
+
 /// Smooth seamless noise in about [-1, 1], CV_32F, with cells_x x cells_y features.
 [[nodiscard]] cv::Mat noise(cv::Size size, int cells_x, int cells_y, Random& random);
 /// Brightens and darkens `picture` by `amount` (of 255) where `field` is 1 and -1.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -82,7 +83,7 @@ std::array<Eigen::Vector2d, 2> balloon_places(const RoomPlan& plan, Random rando
   return places;
 }
 
-/// The lead's shell is longer and taller than the chassis's own outline.
+/// What the lead's chassis carries is longer or taller than the chassis's own outline.
 void fit_outline(mjSpec& spec, const LeadShell& shell) {
   mjsGeom* const outline = mjs_asGeom(mjs_findElement(&spec, mjOBJ_GEOM, "lead/outline"));
   check(outline != nullptr, "models/car.xml has a geom named outline");
@@ -98,10 +99,13 @@ void fit_outline(mjSpec& spec, const LeadShell& shell) {
 
 void WorldConfig::validate() const {
   draught.validate("draught_n", 0.0, 0.03);
-  require(layout == "route" || layout == "balloons", "layout: must be route or balloons");
-  require(layout == "route" || balloons, "balloons: the layout asks for them");
+  require(layout == "route" || layout == "balloons" || layout == "lane",
+          "layout: must be route, balloons or lane");
+  require(layout != "balloons" || balloons, "balloons: the layout asks for them");
   require(layout == "route" || !lead, "lead: only the layout route has a way for one");
+  require(lead_body == "vehicle" || lead_body == "person", "lead_body: must be vehicle or person");
   placement.validate();
+  lane.validate();
   livery.validate();
   room.validate();
   car.validate();
@@ -124,8 +128,14 @@ World::World(const WorldConfig& config, Seconds time_step, double fovy, const Ra
   camera->fovy = fovy;
   if (config.lead) {
     mjsBody* const lead = add_vehicle(*spec, "lead/", kFloor, config.lead_car, lead_random);
-    dress_lead(*spec, *lead, Random(config.livery.design), config.livery);
-    fit_outline(*spec, {});
+    const Random design(config.livery.design);
+    if (config.follows_a_person()) {
+      add_person(*spec, *lead, "lead/", design, config.livery);
+      fit_outline(*spec, kPersonOutline);
+    } else {
+      dress_lead(*spec, *lead, design, config.livery);
+      fit_outline(*spec, {});
+    }
   }
 
   compile(*spec);
@@ -134,6 +144,7 @@ World::World(const WorldConfig& config, Seconds time_step, double fovy, const Ra
   if (config.lead) {
     lead_.emplace(*model_, "lead/", config.lead_car, lead_random);
     lead_driver_.emplace(config.lead_driver, route_);
+    if (config.follows_a_person()) gait_.emplace(*model_, "lead/");
     lead_period_ = std::max(1L, std::lround(kLeadReaction / time_step));
   }
   Random air = random.fork("air");
@@ -169,9 +180,23 @@ void World::lay_out(const WorldConfig& config, mjSpec& spec, const Random& room)
   if (config.balloons) {
     hang(balloon_places(plan_, room.fork("balloon_places")), {0.34, 0.55});
   }
+  if (config.has_a_lane()) {
+    put_on_lane(config, spec, room);
+    return;
+  }
   if (!config.furnished && !config.lead) return;
   route_ = plan_route(config.route, plan_, room.fork("route"));
   start_ = route_.follower_start();
+}
+
+void World::put_on_lane(const WorldConfig& config, mjSpec& spec, const Random& room) {
+  lane_ = lay_lane(config.lane, plan_, room.fork("course"));
+  boards_ = stand_boards(lane_, config.lane.spacing);
+  mark_lane(spec, lane_, boards_, Random(config.livery.design), config.livery);
+  Random put = room.fork("start");
+  const double along = put.uniform(0.0, lane_.length());
+  start_.position = lane_.beside(along, config.lane.start_aside.draw(put));
+  start_.yaw = lane_.at(along).yaw + config.lane.start_turn.draw(put) * std::numbers::pi / 180.0;
 }
 
 void World::compile(mjSpec& spec) {
@@ -207,6 +232,7 @@ void World::advance(const Pulses& pulses) {
   if (lead_) {
     if (step_ % lead_period_ == 0) lead_pulses_ = drive_lead();
     lead_->actuate(*data_, lead_pulses_);
+    if (gait_) gait_->step(*data_, lead_->speed(*data_));
   }
   mj_step2(model_.get(), data_.get());
   ++step_;

@@ -7,13 +7,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/random.h"
 #include "core/units.h"
 #include "sim/camera_mount.h"
 #include "sim/draught.h"
+#include "sim/lane_boards.h"
 #include "sim/lead_driver.h"
 #include "sim/livery.h"
+#include "sim/person.h"
 #include "sim/placement.h"
 #include "sim/room.h"
 #include "sim/route.h"
@@ -23,13 +26,16 @@ namespace pacer::sim {
 
 /// What there is, and how it varies from episode to episode.
 struct WorldConfig {
-  bool furnished = true;  ///< false: a bare floor of the room's size
-  bool lead = true;       ///< false: the car is alone
-  bool balloons = true;   ///< a red and a green one
+  bool furnished = true;              ///< false: a bare floor of the room's size
+  bool lead = true;                   ///< false: the car is alone
+  std::string lead_body = "vehicle";  ///< what is followed looks like: vehicle or person
+  bool balloons = true;               ///< a red and a green one
   /// Where the car starts and the balloons stand. `route`: on the lead's way, and out of the way.
-  /// `balloons`: as `placement` says, the balloons in the open.
+  /// `balloons`: as `placement` says, the balloons in the open. `lane`: in the lane that `lane`
+  /// describes, the balloons out of the way.
   std::string layout = "route";
   PlacementConfig placement;
+  LaneConfig lane;
   Range draught{0.002, 0.006};  ///< newtons, the most that moving air pushes a balloon with
   RoomConfig room;
   VehicleConfig car;
@@ -42,15 +48,19 @@ struct WorldConfig {
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
 
+  [[nodiscard]] bool follows_a_person() const { return lead && lead_body == "person"; }
   [[nodiscard]] bool balloons_in_the_open() const { return layout == "balloons"; }
+  [[nodiscard]] bool has_a_lane() const { return layout == "lane"; }
 
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("furnished", furnished);
     visit("lead", lead);
+    visit("lead_body", lead_body);
     visit("balloons", balloons);
     visit("layout", layout);
     visit("placement", placement);
+    visit("lane", lane);
     visit("draught_n", draught);
     visit("room", room);
     visit("car", car);
@@ -86,6 +96,11 @@ class World {
   /// nullptr where there is none.
   [[nodiscard]] const Vehicle* lead() const noexcept { return lead_ ? &*lead_ : nullptr; }
 
+  /// Empty where the layout has none.
+  [[nodiscard]] const Lane& lane() const noexcept { return lane_; }
+  /// That stand along the lane.
+  [[nodiscard]] const std::vector<Board>& boards() const noexcept { return boards_; }
+
   static constexpr const char* kCamera = "car/driver";
 
  private:
@@ -97,6 +112,7 @@ class World {
   using Spec = std::unique_ptr<mjSpec, Delete>;
 
   [[nodiscard]] Spec furnish(const WorldConfig& config, const Random& random);
+  void put_on_lane(const WorldConfig& config, mjSpec& spec, const Random& room);
   void lay_out(const WorldConfig& config, mjSpec& spec, const Random& room);
   void compile(mjSpec& spec);
   void settle(const WorldConfig& config);
@@ -104,6 +120,8 @@ class World {
 
   RoomPlan plan_;
   Route route_;
+  Lane lane_;
+  std::vector<Board> boards_;
   FloorPose start_;  // of the car
   std::unique_ptr<mjModel, Delete> model_;
   std::unique_ptr<mjData, Delete> data_;
@@ -111,6 +129,7 @@ class World {
   std::optional<Vehicle> car_;
   std::optional<Vehicle> lead_;
   std::optional<LeadDriver> lead_driver_;
+  std::optional<Gait> gait_;  // where the lead is a person
   std::optional<Draught> draught_;
   Pulses lead_pulses_;
   std::int64_t step_ = 0;

@@ -112,7 +112,12 @@ const std::vector<Study>& studies() {
       {"learning-curve", "episodes followed after 0.5 to 10 minutes of demonstration", "follow",
        study_learning_curve},
       {"transfer", "other light, corrupted frames and delay: what of following is lost", "follow",
-       study_transfer}};
+       study_transfer},
+      {.name = "tasks",
+       .about = "another target and another task, nothing changed but the demonstrations",
+       .scenario = "person",
+       .run = study_tasks,
+       .also = "lane"}};
   return all;
 }
 
@@ -141,12 +146,13 @@ ordered_json run_study(const Study& study, const StudyContext& context) {
 }
 
 ordered_json run_all_studies(StudyContext context,
-                             const std::function<Scenario(const Study&)>& scenario_of) {
+                             const std::function<void(const Study&, StudyContext&)>& set_scenes) {
   if (context.out.empty()) throw UsageError("study all: --out names the folder of its page");
   ordered_json results = ordered_json::object();
   for (const Study& study : studies()) {
-    context.scenario = scenario_of(study);
+    set_scenes(study, context);
     std::string made_of = Materials(context).fingerprint();
+    if (context.also) made_of += to_yaml(*context.also);
     for (const auto& given : {context.images, context.sequences}) {
       made_of += " " + (given ? given->string() : "");
     }

@@ -15,11 +15,11 @@ namespace pacer {
 /// writes (see to_json in study.h).
 [[nodiscard]] nlohmann::ordered_json run_study(const Study& study, const StudyContext& context);
 
-/// Runs every study, each on its scenario, going on where an earlier run into the same folder was
-/// interrupted, and draws one page of all claims, those that fall short first, with the same as
-/// Markdown beside it.
+/// Runs every study on what `set_scenes` makes its context's scenarios, going on where an earlier
+/// run into the same folder was interrupted, and draws one page of all claims, those that fall
+/// short first, with the same as Markdown beside it.
 [[nodiscard]] nlohmann::ordered_json run_all_studies(
-    StudyContext context, const std::function<Scenario(const Study&)>& scenario_of);
+    StudyContext context, const std::function<void(const Study&, StudyContext&)>& set_scenes);
 
 /// A study's figures and claims as a few lines of text.
 [[nodiscard]] std::string to_text(const nlohmann::ordered_json& result);

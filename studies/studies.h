@@ -24,6 +24,7 @@ StudyResult study_perceptual_weighting(const StudyContext& context, report::Page
 StudyResult study_recall_efficiency(const StudyContext& context, report::Page& page);
 StudyResult study_response(const StudyContext& context, report::Page& page);
 StudyResult study_signals(const StudyContext& context, report::Page& page);
+StudyResult study_tasks(const StudyContext& context, report::Page& page);
 StudyResult study_throughput(const StudyContext& context, report::Page& page);
 StudyResult study_tracking(const StudyContext& context, report::Page& page);
 StudyResult study_training_range(const StudyContext& context, report::Page& page);

@@ -37,6 +37,7 @@ struct StudyResult {
 /// What a study may use.
 struct StudyContext {
   Scenario scenario;
+  std::optional<Scenario> also;  ///< where the study is of a second one
   RunControl control;
   std::filesystem::path cache;  ///< recordings, models and runs shared between studies
   std::filesystem::path out;    ///< where its page goes; empty: none
@@ -53,6 +54,7 @@ struct Study {
   /// Measures, and puts plots and tables on the page.
   StudyResult (*run)(const StudyContext& context, report::Page& page);
   std::string takes = {};  ///< which of a context's `transactions`, `images`, `sequences`, if any
+  std::string also = {};   ///< a second of scenarios/ that it is measured on, if any
 };
 
 /// Every study, in the order in which `study all` runs them.

@@ -64,7 +64,7 @@ class Balloon(CommandTest):
             "drive", BALLOON, "--set", "goal=follow", status=BAD_USAGE))
         self.assertIn("simulated.world.layout", self.refusal(
             "drive", SCENARIO, "--set", "goal=reach", status=BAD_USAGE))
-        self.assertIn("goal: expected follow or reach", self.refusal(
+        self.assertIn("goal: expected follow, reach or keep", self.refusal(
             "drive", BALLOON, "--set", "goal=flee", status=BAD_USAGE))
 
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -121,9 +122,10 @@ TEST(Score, ReadsBackFromItsJsonWhateverTheGoal) {
 }
 
 TEST(Score, EveryMeasureHasAKeyOfItsOwnAndAValue) {
-  for (const Goal goal : {Goal::kFollow, Goal::kReach}) {
-    const EpisodeScore score =
-        goal == Goal::kReach ? EpisodeScore(ReachingResult{}) : EpisodeScore(FollowingResult{});
+  const std::map<Goal, EpisodeScore> scores = {{Goal::kFollow, FollowingResult{}},
+                                               {Goal::kReach, ReachingResult{}},
+                                               {Goal::kKeep, KeepingResult{}}};
+  for (const auto& [goal, score] : scores) {
     std::set<std::string> keys;
     for (const Measure& measure : measures_of(goal)) keys.insert(measure.key);
     EXPECT_EQ(keys.size(), measures_of(goal).size());

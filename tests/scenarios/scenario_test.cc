@@ -101,14 +101,21 @@ TEST(Scenario, ADemonstratedRoomIsNeverUnseen) {
 
 TEST(Scenario, TheGoalIsOneThatTheWorldServes) {
   const std::string balloons = "simulated: {world: {lead: false, layout: balloons}}\n";
+  const std::string lane = "simulated: {world: {lead: false, layout: lane}}\n";
   EXPECT_EQ(parse("").what_for(), Goal::kFollow);
   EXPECT_EQ(parse("goal: reach\n" + balloons).what_for(), Goal::kReach);
+  EXPECT_EQ(parse("goal: keep\n" + lane).what_for(), Goal::kKeep);
+  EXPECT_THAT(complaint([] { parse("goal: keep\n"); }),
+              HasSubstr("simulated.world.layout: set it to lane"));
+  EXPECT_THAT(complaint([&] { parse(lane); }),
+              HasSubstr("test.yaml:1: simulated.world.layout: set it to route, or the goal to "
+                        "keep"));
   EXPECT_THAT(complaint([] { parse("goal: reach\n"); }),
               HasSubstr("simulated.world.layout: set it to balloons"));
   EXPECT_THAT(complaint([&] { parse(balloons); }),
               HasSubstr("test.yaml:1: simulated.world.layout: set it to route"));
   EXPECT_THAT(complaint([] { parse("goal: flee\n"); }),
-              HasSubstr("test.yaml:1: goal: expected follow or reach"));
+              HasSubstr("test.yaml:1: goal: expected follow, reach or keep"));
 }
 
 TEST(Scenario, EpisodesOfDifferentPurposesShareNoChance) {
