@@ -2,6 +2,7 @@
 #include "dataset/inspect.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "core/check.h"
 #include "core/output_file.h"
 #include "dataset/contact_sheet.h"
+#include "learning/affordance/knowledge.h"
 #include "runs/hierarchy_picture.h"
 #include "runs/model_file.h"
 #include "runs/report/canvas.h"
@@ -171,6 +173,10 @@ struct InspectCommand {
                affordance::Model::kVersion, model.rules.size(), model.image_size.width,
                model.image_size.height, model.frame_rate_hz);
     fmt::print("learnt from {}\n", model.fingerprint);
+    const affordance::Knowledge knowledge = affordance::knowledge_of(model);
+    fmt::print("{}\n", affordance::to_text(knowledge));
+    fmt::print("features {}; commands answer pictures {} s old\n",
+               fmt::join(model.config.features.kinds, ", "), model.config.transactions.lag);
     nlohmann::ordered_json types = nlohmann::ordered_json::array();
     for (int type = 0; type < model.actions.count(); ++type) {
       const auto index = static_cast<affordance::ActionType>(type);
@@ -187,6 +193,11 @@ struct InspectCommand {
     }
     common.write_json({{"fingerprint", model.fingerprint},
                        {"rules", model.rules.size()},
+                       {"features", model.config.features.kinds},
+                       {"lag_s", model.config.transactions.given_lag().value_or(Seconds{}).count()},
+                       {"frames_learnt", model.frames_learnt},
+                       {"frames_matched", model.frames_matched},
+                       {"knows_little", knowledge.little()},
                        {"action_types", types}});
   }
 };

@@ -100,6 +100,7 @@ const std::vector<Study>& studies() {
       {"apriori", "mining: equal to independent implementations, and its time", "follow",
        study_apriori, "transactions"},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", "follow", study_hits},
+      {"lag", "how late a teacher answers, found from its demonstrations", "follow", study_lag},
       {"following", "closed loop in unseen rooms, against the teacher", "follow", study_following}};
   return all;
 }
