@@ -7,13 +7,14 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "core/units.h"
 
 namespace pacer {
 
 /// A config as one "section.key=value" line a field, in the order of its fields. Numbers are
-/// written so that they read back exactly.
+/// written so that they read back exactly; lists are of words, without commas.
 class ConfigTextWriter {
  public:
   template <class Value>
@@ -31,6 +32,11 @@ class ConfigTextWriter {
 
  private:
   static std::string plain(const std::string& value) { return value; }
+  static std::string plain(const std::vector<std::string>& values) {
+    std::string text;
+    for (const std::string& value : values) text += (text.empty() ? "" : ",") + value;
+    return text;
+  }
   static std::string plain(bool value) { return value ? "true" : "false"; }
   static std::string plain(Seconds value) { return plain(value.count()); }
   template <class Number>
@@ -72,6 +78,15 @@ class ConfigTextReader {
  private:
   static bool parse(std::string_view text, std::string& value) {
     value = text;
+    return true;
+  }
+  static bool parse(std::string_view text, std::vector<std::string>& values) {
+    values.clear();
+    while (!text.empty()) {
+      const std::string_view one = text.substr(0, text.find(','));
+      values.emplace_back(one);
+      text.remove_prefix(std::min(text.size(), one.size() + 1));
+    }
     return true;
   }
   static bool parse(std::string_view text, bool& value) {

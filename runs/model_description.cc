@@ -2,9 +2,12 @@
 #include "runs/model_description.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <utility>
+
+#include "learning/affordance/knowledge.h"
 
 namespace pacer {
 namespace {
@@ -43,6 +46,11 @@ ModelDescription describe(const affordance::Model& model) {
                            affordance::Model::kVersion, model.rules.size(), model.image_size.width,
                            model.image_size.height, model.frame_rate_hz);
   about.text += fmt::format("learnt from {}\n", model.fingerprint);
+  const affordance::Knowledge knowledge = affordance::knowledge_of(model);
+  about.text += affordance::to_text(knowledge) + "\n";
+  about.text += fmt::format("features {}; commands answer pictures {} s old\n",
+                            fmt::join(model.config.features.kinds, ", "),
+                            model.config.transactions.lag);
   nlohmann::ordered_json types = nlohmann::ordered_json::array();
   for (int type = 0; type < model.actions.count(); ++type) {
     const auto index = static_cast<affordance::ActionType>(type);
@@ -57,8 +65,14 @@ ModelDescription describe(const affordance::Model& model) {
                      {"throttle", centre.throttle},
                      {"rules", rules}});
   }
-  about.json = {
-      {"fingerprint", model.fingerprint}, {"rules", model.rules.size()}, {"action_types", types}};
+  about.json = {{"fingerprint", model.fingerprint},
+                {"rules", model.rules.size()},
+                {"features", model.config.features.kinds},
+                {"lag_s", model.config.transactions.given_lag().value_or(Seconds{}).count()},
+                {"frames_learnt", model.frames_learnt},
+                {"frames_matched", model.frames_matched},
+                {"knows_little", knowledge.little()},
+                {"action_types", types}};
   return about;
 }
 

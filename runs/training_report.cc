@@ -8,10 +8,23 @@
 namespace pacer {
 
 std::string to_text(const affordance::TrainingReport& report) {
+  const std::string thinned = report.frames_learnt < report.frames_counted
+                                  ? fmt::format(", {} of these learnt from", report.frames_learnt)
+                                  : "";
   std::string text = fmt::format(
-      "{} episodes, {} frames, {} of them new; {} features; {} transactions of {:.1f} items\n",
-      report.episodes, report.frames, report.frames_counted, report.features, report.transactions,
+      "{} episodes, {} frames, {} of them new{}; {} features; {} transactions of {:.1f} items\n",
+      report.episodes, report.frames, report.frames_counted, thinned, report.features,
+      report.transactions,
       static_cast<double>(report.items) / static_cast<double>(report.transactions));
+  if (report.found) {
+    const std::vector<double>& explained = report.found->explained;
+    text += fmt::format(
+        "commands answer pictures {:.2f} s old: seen so, {:.0f} % of them is explained, and {:.0f} "
+        "% "
+        "without a lag\n",
+        report.lag.count(), 100.0 * explained[static_cast<std::size_t>(report.found->frames)],
+        100.0 * explained.front());
+  }
   for (const affordance::TrainingReport::Type& type : report.types) {
     text += fmt::format(
         "  {:<16} steering {:+.2f} throttle {:+.2f}: {} frames, {} rules mined, {} chosen, {} kept",
@@ -23,8 +36,7 @@ std::string to_text(const affordance::TrainingReport& report) {
     if (type.kept > 0) continue;
     text += fmt::format("note: nothing was learnt of {}; demonstrate more of it\n", type.name);
   }
-  text += fmt::format("{} of {} new frames are matched by at least one rule\n",
-                      report.frames_matched, report.frames_counted);
+  text += to_text(report.knowledge) + "\n";
   double seconds = 0.0;
   for (const affordance::TrainingReport::Stage& stage : report.stages) {
     text += fmt::format("  {:<16} {:6.1f} s\n", stage.name, stage.seconds);
@@ -41,6 +53,7 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
                      {"throttle", type.centre.throttle},
                      {"frames", type.frames},
                      {"transactions", type.transactions},
+                     {"support_percent", type.support_percent},
                      {"mined", type.mined},
                      {"chosen", type.selected},
                      {"kept", type.kept},
@@ -50,14 +63,18 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
   for (const affordance::TrainingReport::Stage& stage : report.stages) {
     seconds[stage.name] = stage.seconds;
   }
-  return {{"episodes", report.episodes},
+  return {{"lag_s", report.lag.count()},
+          {"lag_explained", report.found ? report.found->explained : std::vector<double>{}},
+          {"episodes", report.episodes},
           {"frames", report.frames},
           {"frames_counted", report.frames_counted},
+          {"frames_learnt", report.frames_learnt},
           {"features", report.features},
           {"transactions", report.transactions},
           {"items", report.items},
           {"matches", report.matches},
           {"frames_matched", report.frames_matched},
+          {"knows_little", report.knowledge.little()},
           {"action_types", types},
           {"seconds", seconds}};
 }

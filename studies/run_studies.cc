@@ -107,6 +107,7 @@ const std::vector<Study>& studies() {
       {"hits", "Table 6.1: do mined configurations lie on the lead?", "follow", study_hits},
       {"signals", "Figure 6.15: the turn signal, against the supervised baseline's", "follow",
        study_signals},
+      {"lag", "how late a teacher answers, found from its demonstrations", "follow", study_lag},
       {"following", "closed loop in unseen rooms, against teacher and baselines", "follow",
        study_following},
       {"learning-curve", "episodes followed after 0.5 to 10 minutes of demonstration", "follow",

@@ -17,6 +17,7 @@ StudyResult study_following(const StudyContext& context, report::Page& page);
 StudyResult study_generalisation(const StudyContext& context, report::Page& page);
 StudyResult study_hits(const StudyContext& context, report::Page& page);
 StudyResult study_interframe(const StudyContext& context, report::Page& page);
+StudyResult study_lag(const StudyContext& context, report::Page& page);
 StudyResult study_learning_curve(const StudyContext& context, report::Page& page);
 StudyResult study_output_clustering(const StudyContext& context, report::Page& page);
 StudyResult study_parameters(const StudyContext& context, report::Page& page);

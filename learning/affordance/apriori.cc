@@ -38,6 +38,7 @@ void AprioriConfig::validate() const {
   require(min_items >= 2, "min_items: a rule has an item and its action type, so at least 2");
   require(max_items >= min_items, "max_items: must not be below min_items");
   require(min_stretches >= 1, "min_stretches: must be at least 1");
+  require(wanted_rules >= 0, "wanted_rules: must not be negative");
 }
 
 std::vector<Rule> mine_rules(const TransactionDatabase& database, ActionType type,

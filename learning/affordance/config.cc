@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/affordance/config.h"
 
-#include <stdexcept>
+#include <string>
 
 #include "core/check.h"
 
@@ -18,6 +18,11 @@ void AffordanceConfig::validate() const {
   // Every section in turn; the message gains the section's name.
   AffordanceConfig copy = *this;
   copy.fields([](const char* name, auto& section) { validate_section(name, section); });
+  require(mining.wanted_rules <= selection.max_candidates,
+          "mining.wanted_rules: must not be above selection.max_candidates");
+  require(features.kinds.size() * static_cast<std::size_t>(words.descriptor) <= kMostWords,
+          "words.descriptor: with so many of features.kinds at most " +
+              std::to_string(kMostWords / features.kinds.size()) + ", 100 in all");
 }
 
 }  // namespace pacer::affordance

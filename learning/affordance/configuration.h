@@ -26,6 +26,7 @@ struct GridConfig {
 };
 
 inline constexpr int kTiles = 9;
+inline constexpr std::size_t kMostWords = 100;  ///< descriptor words, of all kinds of feature
 /// 9 tiles of the largest vocabulary that WordConfig allows, in whole 64-bit words.
 inline constexpr int kMaxItems = 1088;
 

@@ -6,7 +6,7 @@
 namespace pacer::affordance {
 
 void FeatureSample::offer(std::uint64_t key, const Features& features, std::size_t i) {
-  Entry entry{key, features.poses.size[i], features.poses.angle[i], {}};
+  Entry entry{key, features.poses.size[i], features.poses.angle[i], {}, features.kinds[i]};
   std::copy_n(features.descriptor(i).begin(), kDescriptorSize, entry.descriptor.begin());
   entries_.push_back(entry);
   if (entries_.size() >= 2 * most_ + 1024) shrink();
@@ -30,6 +30,7 @@ Features FeatureSample::take() {
   Features features;
   for (const Entry& entry : entries_) {
     features.poses.add(0.0F, 0.0F, entry.size, entry.angle);
+    features.kinds.push_back(entry.kind);
     features.descriptors.insert(features.descriptors.end(), entry.descriptor.begin(),
                                 entry.descriptor.end());
   }

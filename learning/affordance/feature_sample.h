@@ -27,6 +27,7 @@ class FeatureSample {
     std::uint64_t key;
     float size, angle;
     std::array<std::uint8_t, kDescriptorSize> descriptor;
+    std::uint8_t kind;
     friend auto operator<=>(const Entry&, const Entry&) = default;
   };
   void shrink();

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 
 #include "core/check.h"
+#include "learning/affordance/feature_detector.h"
 
 namespace pacer::affordance {
 
@@ -19,31 +19,66 @@ void FeatureConfig::validate() const {
   require(contrast > 0.0 && contrast < 1.0, "contrast: must lie in (0, 1)");
   require(edge > 1.0, "edge: must be above 1");
   require(octave_layers >= 1 && octave_layers <= 8, "octave_layers: must lie in [1, 8]");
+  require(!kinds.empty(), "kinds: name at least one of sift, orb, akaze, brisk, blob");
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    require(feature_kind(kinds[k]).has_value(),
+            "kinds: each must be one of sift, orb, akaze, brisk, blob");
+    require(std::find(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(k), kinds[k]) ==
+                kinds.begin() + static_cast<std::ptrdiff_t>(k),
+            "kinds: names one twice");
+  }
 }
 
 struct FeatureExtractor::Impl {
   FeatureConfig config;
-  cv::Ptr<cv::SIFT> sift;
+  std::vector<std::unique_ptr<FeatureDetector>> detectors;  // one a kind
+  std::vector<Detected> found;                              // likewise
   cv::Mat grey;
-  cv::Mat descriptors;
-  std::vector<cv::KeyPoint> keypoints;
-  std::vector<std::size_t> order;
+  struct Kept {
+    std::size_t kind, point;
+  };
+  std::vector<Kept> kept;
+  std::vector<std::size_t> clearest;
+
+  void keep(std::size_t kind);
 };
 
 FeatureExtractor::FeatureExtractor(const FeatureConfig& config) : impl_(std::make_unique<Impl>()) {
   config.validate();
   impl_->config = config;
-  constexpr double kSigma = 1.6;
-  impl_->sift = cv::SIFT::create(config.budget, config.octave_layers, config.contrast, config.edge,
-                                 kSigma, CV_8U);
+  for (const std::string& name : config.kinds) {
+    const FeatureKind kind = *feature_kind(name);
+    impl_->detectors.push_back(make_detector(kind, config));
+  }
+  impl_->found.resize(config.kinds.size());
 }
 FeatureExtractor::~FeatureExtractor() = default;
 FeatureExtractor::FeatureExtractor(FeatureExtractor&&) noexcept = default;
 FeatureExtractor& FeatureExtractor::operator=(FeatureExtractor&&) noexcept = default;
 
+/// Keeps what is small enough of one kind, within the budget where the detector has none.
+void FeatureExtractor::Impl::keep(std::size_t kind) {
+  const std::vector<cv::KeyPoint>& points = found[kind].points;
+  clearest.clear();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (static_cast<double>(points[i].size) <= config.max_size) clearest.push_back(i);
+  }
+  const auto budget = static_cast<std::size_t>(config.budget);
+  // SIFT sees to it itself, and lets one place have several directions.
+  if (clearest.size() > budget && feature_kind(config.kinds[kind]) != FeatureKind::kSift) {
+    const auto clearer = [&](std::size_t a, std::size_t b) {
+      return std::make_tuple(-points[a].response, a) < std::make_tuple(-points[b].response, b);
+    };
+    std::nth_element(clearest.begin(), clearest.begin() + config.budget, clearest.end(), clearer);
+    clearest.resize(budget);
+  }
+  for (const std::size_t i : clearest) kept.push_back({kind, i});
+}
+
 void FeatureExtractor::extract(const Frame& frame, Features& features) {
   Impl& impl = *impl_;
   features.poses.clear();
+  features.kinds.clear();
   features.descriptors.clear();
   const int first_row = static_cast<int>(std::lround(impl.config.top * frame.size.height));
   const int rows = frame.size.height - first_row;
@@ -55,28 +90,29 @@ void FeatureExtractor::extract(const Frame& frame, Features& features) {
       rows, frame.size.width, CV_8UC3,
       const_cast<std::uint8_t*>(frame.rgb.data()) + pitch * static_cast<std::size_t>(first_row));
   cv::cvtColor(region, impl.grey, cv::COLOR_RGB2GRAY);
-  impl.sift->detectAndCompute(impl.grey, cv::noArray(), impl.keypoints, impl.descriptors);
 
-  impl.order.clear();
-  for (std::size_t i = 0; i < impl.keypoints.size(); ++i) {
-    if (static_cast<double>(impl.keypoints[i].size) <= impl.config.max_size) {
-      impl.order.push_back(i);
-    }
+  impl.kept.clear();
+  for (std::size_t kind = 0; kind < impl.detectors.size(); ++kind) {
+    impl.detectors[kind]->detect({frame, first_row, impl.grey}, impl.found[kind]);
+    impl.keep(kind);
   }
-  const auto key = [&](std::size_t i) {
-    const cv::KeyPoint& point = impl.keypoints[i];
-    return std::make_tuple(point.pt.x, point.pt.y, point.size, point.angle, i);
+  const auto key = [&](const Impl::Kept& kept) {
+    const cv::KeyPoint& point = impl.found[kept.kind].points[kept.point];
+    return std::make_tuple(point.pt.x, point.pt.y, point.size, point.angle, kept.kind, kept.point);
   };
-  std::sort(impl.order.begin(), impl.order.end(),
-            [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  std::sort(impl.kept.begin(), impl.kept.end(),
+            [&](const Impl::Kept& a, const Impl::Kept& b) { return key(a) < key(b); });
   constexpr float kRadians = std::numbers::pi_v<float> / 180.0F;
-  for (const std::size_t i : impl.order) {
-    const cv::KeyPoint& point = impl.keypoints[i];
+  features.descriptors.resize(impl.kept.size() * kDescriptorSize, 0);
+  std::uint8_t* descriptor = features.descriptors.data();
+  for (const auto& [kind, i] : impl.kept) {
+    const cv::KeyPoint& point = impl.found[kind].points[i];
     features.poses.add(point.pt.x, point.pt.y + static_cast<float>(first_row), point.size,
                        point.angle * kRadians);
-    const std::uint8_t* descriptor = impl.descriptors.ptr<std::uint8_t>(static_cast<int>(i));
-    features.descriptors.insert(features.descriptors.end(), descriptor,
-                                descriptor + kDescriptorSize);
+    features.kinds.push_back(static_cast<std::uint8_t>(kind));
+    const cv::Mat& rows_of_kind = impl.found[kind].descriptors;
+    std::copy_n(rows_of_kind.ptr<std::uint8_t>(static_cast<int>(i)), rows_of_kind.cols, descriptor);
+    descriptor += kDescriptorSize;
   }
 }
 

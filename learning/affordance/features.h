@@ -5,21 +5,27 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/frame.h"
+#include "learning/affordance/feature_kind.h"
 
 namespace pacer::affordance {
 
-/// Which SIFT features are kept (6.5): a prior on where the target can be and how large its
-/// details are.
+/// Which features are looked for, and kept (6.5): a prior on where the target can be and how large
+/// its details are.
 struct FeatureConfig {
   double top = 0.35;       ///< share of the picture's height, from the top, that is not looked at
-  double max_size = 6.0;   ///< pixels, the diameter that OpenCV calls a keypoint's size
-  int budget = 500;        ///< features a frame, those of the highest contrast
+  double max_size = 6.0;   ///< pixels, the diameter that OpenCV calls a SIFT keypoint's size; of
+                           ///< other kinds what is as large (feature_detector.cc)
+  int budget = 500;        ///< features a frame of each kind, the clearest
   double contrast = 0.04;  ///< SIFT's contrast threshold
   double edge = 10.0;      ///< SIFT's edge threshold
   int octave_layers = 3;   ///< SIFT's layers an octave
+  /// Of sift, orb, akaze, brisk and blob, those that are mixed (6.8): features of all of them fill
+  /// one grid, with words of their own.
+  std::vector<std::string> kinds = {"sift"};
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
@@ -32,6 +38,7 @@ struct FeatureConfig {
     visit("contrast", contrast);
     visit("edge", edge);
     visit("octave_layers", octave_layers);
+    visit("kinds", kinds);
   }
 };
 
@@ -61,7 +68,8 @@ inline constexpr int kDescriptorSize = 128;
 /// The features of one frame.
 struct Features {
   Poses poses;
-  std::vector<std::uint8_t> descriptors;  ///< count x kDescriptorSize
+  std::vector<std::uint8_t> kinds;        ///< one each: which of FeatureConfig::kinds it is of
+  std::vector<std::uint8_t> descriptors;  ///< count x kDescriptorSize; 0 behind shorter ones
 
   [[nodiscard]] std::size_t count() const noexcept { return poses.count(); }
   [[nodiscard]] std::span<const std::uint8_t> descriptor(std::size_t i) const noexcept {
@@ -69,7 +77,7 @@ struct Features {
   }
 };
 
-/// SIFT (Lowe, IJCV 2004) within the region the configuration keeps. Holds buffers: one a thread.
+/// Finds features within the region the configuration keeps. Holds buffers: one a thread.
 class FeatureExtractor {
  public:
   /// Throws std::invalid_argument when `config` is not valid.

@@ -142,6 +142,51 @@ class Lloyd {
   std::vector<double> distances_;
 };
 
+KMajorityResult majority_lloyd(std::span<const std::uint8_t> samples, std::size_t bytes,
+                               const KMeansOptions& options, Random random) {
+  const std::size_t count = samples.size() / bytes;
+  const auto sample = [&](std::size_t i) { return samples.data() + i * bytes; };
+  KMajorityResult result;
+  for (const std::size_t i : seed(count, options.clusters, random, [&](auto a, auto b) {
+         return static_cast<double>(different_bits(sample(a), sample(b), bytes));
+       })) {
+    result.centres.insert(result.centres.end(), sample(i), sample(i) + bytes);
+  }
+  const std::size_t clusters = result.centres.size() / bytes;
+  std::vector<std::size_t> labels(count, clusters);
+  std::vector<std::uint32_t> ones(clusters * bytes * 8);
+  std::vector<std::uint32_t> members(clusters);
+  for (int iteration = 0; iteration < options.iterations; ++iteration) {
+    bool moved = false;
+    std::uint64_t cost = 0;
+    std::ranges::fill(ones, 0U);
+    std::ranges::fill(members, 0U);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [label, bits] = nearest_by_bits(sample(i), result.centres, bytes);
+      moved = moved || label != labels[i];
+      labels[i] = label;
+      cost += bits;
+      ++members[label];
+      std::uint32_t* of_cluster = ones.data() + label * bytes * 8;
+      for (std::size_t bit = 0; bit < bytes * 8; ++bit) {
+        of_cluster[bit] += sample(i)[bit / 8] >> (bit % 8) & 1U;
+      }
+    }
+    result.cost.push_back(static_cast<double>(cost));
+    if (!moved) break;
+    for (std::size_t c = 0; c < clusters; ++c) {
+      for (std::size_t bit = 0; bit < bytes * 8; ++bit) {
+        const std::uint32_t twice = 2 * ones[c * bytes * 8 + bit];
+        if (twice == members[c]) continue;
+        std::uint8_t& byte = result.centres[c * bytes + bit / 8];
+        const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
+        byte = static_cast<std::uint8_t>(twice > members[c] ? byte | mask : byte & ~mask);
+      }
+    }
+  }
+  return result;
+}
+
 struct Direction {
   double x, y;
 };
@@ -204,6 +249,19 @@ KMeansResult kmeans(std::span<const float> samples, int dimension, const KMeansO
     KMeansResult result =
         Lloyd(samples, dimension)
             .run(options, random.fork("restart", static_cast<std::uint64_t>(restart)));
+    if (restart == 0 || result.cost.back() < best.cost.back()) best = std::move(result);
+  }
+  return best;
+}
+
+KMajorityResult k_majority(std::span<const std::uint8_t> samples, std::size_t bytes,
+                           const KMeansOptions& options, const Random& random) {
+  check(bytes > 0 && bytes % 8 == 0 && !samples.empty() && samples.size() % bytes == 0,
+        "k_majority: samples are N x bytes");
+  KMajorityResult best;
+  for (int restart = 0; restart < std::max(1, options.restarts); ++restart) {
+    KMajorityResult result = majority_lloyd(
+        samples, bytes, options, random.fork("restart", static_cast<std::uint64_t>(restart)));
     if (restart == 0 || result.cost.back() < best.cost.back()) best = std::move(result);
   }
   return best;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,6 +26,17 @@ struct KMeansResult {
 /// `samples` is N x dimension, row-major, N > 0. The same samples and random: the same centres.
 [[nodiscard]] KMeansResult kmeans(std::span<const float> samples, int dimension,
                                   const KMeansOptions& options, const Random& random);
+
+struct KMajorityResult {
+  std::vector<std::uint8_t> centres;  ///< clusters x bytes, row-major
+  std::vector<double> cost;           ///< bits that differ, after each assignment; never rises
+};
+
+/// k-means of strings of bits (Grana et al., "A fast approach for integrating ORB descriptors in
+/// the bag of words model", 2013): the distance is Hamming's, and a centre has each bit as most of
+/// its cluster do, its own where half do. `samples` is N x `bytes`, a multiple of 8, N > 0.
+[[nodiscard]] KMajorityResult k_majority(std::span<const std::uint8_t> samples, std::size_t bytes,
+                                         const KMeansOptions& options, const Random& random);
 
 struct CircularKMeansResult {
   std::vector<float> centres;  ///< radians in [0, 2 pi), ascending

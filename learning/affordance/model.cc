@@ -97,8 +97,16 @@ std::string body(const Model& model) {
   out.value(model.frame_rate_hz);
   out.text(model.scenario);
   out.text(model.fingerprint);
+  out.value(model.frames_learnt);
+  out.value(model.frames_matched);
   write_actions(model.actions, out);
-  out.sequence(model.vocabulary.descriptors());
+  for (const DescriptorWords& kind : model.vocabulary.kinds()) {
+    if (kind.binary()) {
+      out.sequence(kind.bits());
+    } else {
+      out.sequence(kind.centres());
+    }
+  }
   out.sequence(model.vocabulary.scales());
   out.sequence(model.vocabulary.orientations());
   out.sequence(std::span<const std::uint32_t>(model.frequency));
@@ -109,21 +117,37 @@ std::string body(const Model& model) {
   return out.bytes();
 }
 
-Vocabulary read_vocabulary(ByteReader& in, const WordConfig& config) {
-  std::vector<float> descriptors = in.sequence<float>();
+/// Whether a codebook of `size` numbers, `unit` a word, has a word and not too many.
+bool fits(std::size_t size, int unit, int most) {
+  return size > 0 && size % static_cast<std::size_t>(unit) == 0 &&
+         size <= static_cast<std::size_t>(unit) * static_cast<std::size_t>(most);
+}
+
+DescriptorWords read_descriptor_words(ByteReader& in, const std::string& kind, int most) {
+  if (is_binary(*feature_kind(kind))) {
+    std::vector<std::uint8_t> bits = in.sequence<std::uint8_t>();
+    sane(fits(bits.size(), kDescriptorSize, most), "descriptor words");
+    return DescriptorWords(std::move(bits));
+  }
+  std::vector<float> centres = in.sequence<float>();
+  sane(fits(centres.size(), kDescriptorSize, most), "descriptor words");
+  finite<float>(centres, "descriptor words");
+  return DescriptorWords(std::move(centres));
+}
+
+/// `config` is valid.
+Vocabulary read_vocabulary(ByteReader& in, const AffordanceConfig& config) {
+  std::vector<DescriptorWords> kinds;
+  for (const std::string& kind : config.features.kinds) {
+    kinds.push_back(read_descriptor_words(in, kind, config.words.descriptor));
+  }
   std::vector<float> scales = in.sequence<float>();
   std::vector<float> orientations = in.sequence<float>();
-  const auto fits = [](std::size_t size, int unit, int most) {
-    return size > 0 && size % static_cast<std::size_t>(unit) == 0 &&
-           size <= static_cast<std::size_t>(unit) * static_cast<std::size_t>(most);
-  };
-  sane(fits(descriptors.size(), kDescriptorSize, config.descriptor), "descriptor words");
-  sane(fits(scales.size(), 1, config.scale), "scale words");
-  sane(fits(orientations.size(), 1, config.orientation), "orientation words");
-  finite<float>(descriptors, "descriptor words");
+  sane(fits(scales.size(), 1, config.words.scale), "scale words");
+  sane(fits(orientations.size(), 1, config.words.orientation), "orientation words");
   finite<float>(scales, "scale words");
   finite<float>(orientations, "orientation words");
-  return {std::move(descriptors), std::move(scales), std::move(orientations)};
+  return {std::move(kinds), std::move(scales), std::move(orientations)};
 }
 
 Model read_body(std::string_view bytes) {
@@ -139,8 +163,11 @@ Model read_body(std::string_view bytes) {
   sane(std::isfinite(model.frame_rate_hz) && model.frame_rate_hz > 0.0, "frame rate");
   model.scenario = in.text();
   model.fingerprint = in.text();
+  model.frames_learnt = in.value<std::uint64_t>();
+  model.frames_matched = in.value<std::uint64_t>();
+  sane(model.frames_matched <= model.frames_learnt, "matched pictures");
   model.actions = read_actions(in);
-  model.vocabulary = read_vocabulary(in, model.config.words);
+  model.vocabulary = read_vocabulary(in, model.config);
   model.frequency = in.sequence<std::uint32_t>();
   sane(model.frequency.size() == static_cast<std::size_t>(ItemLayout(model.vocabulary).count()),
        "item frequencies");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -23,10 +24,12 @@ namespace pacer::affordance {
 /// share one.
 struct Model {
   AffordanceConfig config;
-  ImageSize image_size;        ///< of the demonstration; frames of another size are refused
-  double frame_rate_hz = 0.0;  ///< of the demonstration
-  std::string scenario;        ///< that the demonstration was recorded in, as text
-  std::string fingerprint;     ///< of the demonstration
+  ImageSize image_size;              ///< of the demonstration; frames of another size are refused
+  double frame_rate_hz = 0.0;        ///< of the demonstration
+  std::string scenario;              ///< that the demonstration was recorded in, as text
+  std::string fingerprint;           ///< of the demonstration
+  std::uint64_t frames_learnt = 0;   ///< pictures of it
+  std::uint64_t frames_matched = 0;  ///< of them, with a match of at least one rule
   ActionClusters actions;
   Vocabulary vocabulary;
   std::vector<std::uint32_t> frequency;  ///< transactions that held each item
@@ -35,7 +38,7 @@ struct Model {
   RuleMatcher matcher;                   ///< of `rules`; made anew on reading
 
   /// The number in the file that a change of its format or meaning raises.
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
   static constexpr SealedKind kFile{"PACERAFF", kVersion, "an affordance model"};
 };
 

@@ -2,11 +2,46 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
 namespace pacer::affordance {
+
+/// In how many bits two strings of `bytes`, a multiple of 8, differ.
+[[nodiscard]] inline std::uint32_t different_bits(const std::uint8_t* a, const std::uint8_t* b,
+                                                  std::size_t bytes) noexcept {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < bytes; i += 8) {
+    std::uint64_t one = 0;
+    std::uint64_t other = 0;
+    std::memcpy(&one, a + i, 8);
+    std::memcpy(&other, b + i, 8);
+    bits += static_cast<std::uint32_t>(std::popcount(one ^ other));
+  }
+  return bits;
+}
+
+struct NearestByBits {
+  std::size_t index = 0;
+  std::uint32_t bits = 0;
+};
+
+/// Which of `centres` (count x bytes, at least one) differs from `sample` in the fewest bits; the
+/// lowest index where several do.
+[[nodiscard]] inline NearestByBits nearest_by_bits(const std::uint8_t* sample,
+                                                   std::span<const std::uint8_t> centres,
+                                                   std::size_t bytes) noexcept {
+  NearestByBits best{.index = 0, .bits = different_bits(sample, centres.data(), bytes)};
+  for (std::size_t c = 1; c < centres.size() / bytes; ++c) {
+    const std::uint32_t bits = different_bits(sample, centres.data() + c * bytes, bytes);
+    if (bits < best.bits) best = {.index = c, .bits = bits};
+  }
+  return best;
+}
 
 /// Which of a few centres is nearest, for many samples of many dimensions.
 ///

@@ -2,7 +2,9 @@
 #include "learning/affordance/train.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -23,7 +25,24 @@ namespace {
 struct Survey {
   std::vector<Command> commands;  // of every frame
   std::vector<char> counts;       // whether the frame differs from the ones before
+  std::uint64_t counted = 0;      // how many do
+  std::uint64_t before = 0;       // how many did in the episodes before
 };
+
+/// Whether no two types of action differ by more than a hand trembles.
+bool one_action(const ActionClusters& actions) {
+  constexpr double kTremor = 0.02;  // of full stick
+  Command least = actions.centre(0);
+  Command most = least;
+  for (int type = 1; type < actions.count(); ++type) {
+    const Command centre = actions.centre(static_cast<ActionType>(type));
+    least = {.steering = std::min(least.steering, centre.steering),
+             .throttle = std::min(least.throttle, centre.throttle)};
+    most = {.steering = std::max(most.steering, centre.steering),
+            .throttle = std::max(most.throttle, centre.throttle)};
+  }
+  return most.steering - least.steering < kTremor && most.throttle - least.throttle < kTremor;
+}
 
 class Trainer {
  public:
@@ -125,7 +144,6 @@ void Trainer::survey() {
     FeatureSample sample;
     Random random;
     std::size_t stride;
-    std::size_t counted = 0;
     std::mutex& merging;
     Features features{};
 
@@ -133,7 +151,7 @@ void Trainer::survey() {
       const bool counts = changes.counts(*step.frame, step.command);
       survey.commands.push_back(step.command);
       survey.counts.push_back(counts ? 1 : 0);
-      if (!counts || counted++ % stride != 0) return;
+      if (!counts || survey.counted++ % stride != 0) return;
       extractor.extract(*step.frame, features);
       for (std::size_t i = 0; i < features.count(); ++i) sample.offer(random.next(), features, i);
     }
@@ -161,16 +179,17 @@ void Trainer::survey() {
 
 void Trainer::find_action_types() {
   std::vector<Command> commands;
-  for (const Survey& survey : surveys_) {
+  for (Survey& survey : surveys_) {
     commands.insert(commands.end(), survey.commands.begin(), survey.commands.end());
-    report_.frames_counted +=
-        static_cast<std::uint64_t>(std::count(survey.counts.begin(), survey.counts.end(), char{1}));
+    survey.commands = {};
+    survey.before = report_.frames_counted;
+    report_.frames_counted += survey.counted;
   }
   report_.episodes = surveys_.size();
   report_.frames = commands.size();
   if (commands.empty()) throw UsageError("the demonstration holds no frames; record some first");
   model_.actions = cluster_actions(commands, config_.actions, random_.fork("action types"));
-  if (model_.actions.count() < 2) {
+  if (one_action(model_.actions)) {
     throw UsageError(
         "the demonstration holds one action only, so there is nothing to tell apart; demonstrate "
         "turns and speeds");
@@ -180,12 +199,17 @@ void Trainer::find_action_types() {
 void Trainer::build_words() {
   const Features sample = sample_.take();
   report_.word_samples = sample.count();
-  if (sample.count() == 0) {
-    throw UsageError(
-        "the demonstration's pictures hold no features; see features.top, features.max_size_px and "
-        "features.contrast");
+  std::vector<FeatureKind> kinds;
+  for (const std::string& name : config_.features.kinds) {
+    if (std::ranges::find(sample.kinds, static_cast<std::uint8_t>(kinds.size())) ==
+        sample.kinds.end()) {
+      throw UsageError(
+          "the demonstration's pictures hold no features" + (kinds.empty() ? "" : " of " + name) +
+          "; see features.top, features.max_size_px, features.contrast and features.kinds");
+    }
+    kinds.push_back(*feature_kind(name));
   }
-  model_.vocabulary = build_vocabulary(sample, config_.words, random_.fork("words"));
+  model_.vocabulary = build_vocabulary(sample, kinds, config_.words, random_.fork("words"));
 }
 
 void Trainer::read_features() {
@@ -194,7 +218,10 @@ void Trainer::read_features() {
     const Survey& survey;
     FeatureLog& log;
     FeatureExtractor extractor;
+    std::uint64_t counted;  // in the whole recording
+    std::uint64_t most;
     Seconds stretch;
+    std::uint64_t number = 0;  // of the frame among those
     Seconds start{};
     Features features{};
     Words words{};
@@ -202,7 +229,7 @@ void Trainer::read_features() {
     void operator()(std::size_t index, const DemonstratedStep& step) {
       if (index == 0) start = step.frame->time;
       check(index < survey.counts.size(), "a recording reads the same twice");
-      if (survey.counts[index] == 0) return;
+      if (survey.counts[index] == 0 || !taken(number++, counted, most)) return;
       extractor.extract(*step.frame, features);
       model.vocabulary.label(features, words);
       const double stretches = std::max(0.0, (step.frame->time - start) / stretch);
@@ -217,10 +244,16 @@ void Trainer::read_features() {
                  .survey = surveys_[episode],
                  .log = logs_[episode],
                  .extractor = FeatureExtractor(config_.features),
-                 .stretch = config_.transactions.stretch};
+                 .counted = report_.frames_counted,
+                 .most = static_cast<std::uint64_t>(config_.transactions.most_frames),
+                 .stretch = config_.transactions.stretch,
+                 .number = surveys_[episode].before};
   });
   surveys_.clear();
-  for (const FeatureLog& log : logs_) report_.features += log.poses.count();
+  for (const FeatureLog& log : logs_) {
+    report_.features += log.poses.count();
+    report_.frames_learnt += log.frame_count();
+  }
 }
 
 void Trainer::build_database() {
@@ -248,13 +281,20 @@ void Trainer::mine() {
     if (options_.stop.stop_requested()) throw TrainingStopped();
     TrainingReport::Type& report = report_.types[t];
     const auto type = static_cast<ActionType>(t);
-    // Where the support asked for would give more rules than can be chosen from, the lowest that
-    // does not.
     AprioriConfig mining = config_.mining;
+    // Rules of fewer transactions than of stretches there are none; those of one mean nothing.
+    if (mining.wanted_rules > 0) {
+      mining.support_percent = support_percent_of(
+          static_cast<std::uint32_t>(std::max(2, mining.min_stretches)), database_.size());
+    }
+    // Where the support asked for would give more rules than are wanted, or can be chosen from, the
+    // lowest that does not.
+    const int most =
+        mining.wanted_rules > 0 ? mining.wanted_rules : config_.selection.max_candidates;
     const SupportChoice choice = support_for_rule_count(
-        database_, type, mining, static_cast<std::size_t>(config_.selection.max_candidates),
-        jobs_a_type, options_.stop);
-    const bool raised = choice.min_count > Thresholds(mining, database_.size()).min_count;
+        database_, type, mining, static_cast<std::size_t>(most), jobs_a_type, options_.stop);
+    const bool raised = mining.wanted_rules == 0 &&
+                        choice.min_count > Thresholds(mining, database_.size()).min_count;
     mining.support_percent = choice.support_percent;
     std::vector<Rule> rules = mine_rules(database_, type, mining, jobs_a_type, options_.stop);
     if (options_.stop.stop_requested()) throw TrainingStopped();
@@ -302,6 +342,8 @@ void Trainer::learn_mappings() {
   }
   model_.rules = std::move(rules);
   for (const EpisodeMatches& episode : matches) report_.frames_matched += episode.frames(kept);
+  model_.frames_learnt = report_.frames_learnt;
+  model_.frames_matched = report_.frames_matched;
   if (model_.rules.empty()) {
     throw NothingLearnt(
         "no rule holds in the demonstration: it is too short or too uniform (the shipped scenario "
@@ -312,15 +354,59 @@ void Trainer::learn_mappings() {
 
 }  // namespace
 
+namespace {
+
+/// The lag to learn with (7.2.2): what the config gives, or what the demonstration shows.
+struct Lag {
+  int frames = 0;
+  std::optional<FoundLag> found;
+  AffordanceConfig settled;  ///< the config with its seconds
+  double seconds = 0.0;      ///< that finding it took
+
+  Lag(const Demonstration& demonstration, const AffordanceConfig& config, const Random& random,
+      const TrainingOptions& options)
+      : settled(config) {
+    config.validate();
+    const double rate_hz = demonstration.frame_rate_hz();
+    const std::optional<Seconds> given = config.transactions.given_lag();
+    if (given) {
+      frames = static_cast<int>(std::lround(given->count() * rate_hz));
+      return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    found = find_lag(demonstration, config, random.fork("lag"), options);
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    frames = found->frames;
+    settled.transactions.lag = text_of(static_cast<double>(frames) / rate_hz);
+  }
+
+  static std::string text_of(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+  }
+};
+
+}  // namespace
+
 TransactionDatabase transactions_of(const Demonstration& demonstration,
                                     const AffordanceConfig& config, const Random& random,
                                     const TrainingOptions& options) {
-  return Trainer(demonstration, config, random, options).gather();
+  const Lag lag(demonstration, config, random, options);
+  return Trainer(AnsweredDemonstration(demonstration, lag.frames), lag.settled, random, options)
+      .gather();
 }
 
 Training train(const Demonstration& demonstration, const AffordanceConfig& config,
                const Random& random, const TrainingOptions& options) {
-  return Trainer(demonstration, config, random, options).run();
+  const Lag lag(demonstration, config, random, options);
+  const AnsweredDemonstration answered(demonstration, lag.frames);
+  Training training = Trainer(answered, lag.settled, random, options).run();
+  TrainingReport& report = training.report;
+  report.lag = Seconds{static_cast<double>(lag.frames) / demonstration.frame_rate_hz()};
+  report.found = lag.found;
+  report.knowledge = knowledge_of(training.model);
+  if (lag.found) report.stages.insert(report.stages.begin(), {"lag", lag.seconds});
+  return training;
 }
 
 }  // namespace pacer::affordance

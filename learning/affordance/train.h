@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "core/demonstration.h"
 #include "core/random.h"
 #include "core/training.h"
+#include "learning/affordance/knowledge.h"
+#include "learning/affordance/lag.h"
 #include "learning/affordance/model.h"
 #include "learning/affordance/transaction.h"
 
@@ -19,7 +22,7 @@ struct TrainingReport {
   struct Type {
     std::string name;
     Command centre;
-    std::uint64_t frames = 0;        ///< of this type, that count
+    std::uint64_t frames = 0;        ///< of this type, that are learnt from
     std::uint64_t transactions = 0;  ///< of this type
     double support_percent = 0.0;    ///< with which it was mined
     std::uint64_t mined = 0;         ///< rules
@@ -27,15 +30,20 @@ struct TrainingReport {
     std::uint64_t kept = 0;          ///< of them, with matches enough for a mapping
     std::string capped;              ///< what limit cut the rules; empty when none did
   };
+  Seconds lag{};                  ///< with which pictures were learnt with later commands
+  std::optional<FoundLag> found;  ///< how it was found, where it was not given
   std::uint64_t episodes = 0;
-  std::uint64_t frames = 0;          ///< read
+  std::uint64_t frames = 0;          ///< read, that have an answer
   std::uint64_t frames_counted = 0;  ///< that differ from the ones before; see ChangeDetector
+  std::uint64_t frames_learnt = 0;   ///< of those, learnt from: all, or an even thinning
   std::uint64_t features = 0;        ///< in those
   std::uint64_t word_samples = 0;    ///< features that the words were clustered from
   std::uint64_t transactions = 0;
   std::uint64_t items = 0;  ///< in all transactions
   std::uint64_t matches = 0;
-  std::uint64_t frames_matched = 0;  ///< of those counted, with at least one match of a kept rule
+  std::uint64_t frames_matched =
+      0;                ///< of those learnt from, with at least one match of a kept rule
+  Knowledge knowledge;  ///< of the model
   std::vector<Type> types;
   struct Stage {
     std::string name;
@@ -55,7 +63,10 @@ struct NothingLearnt : std::runtime_error {
 };
 
 /// Learns a model from `demonstration` (chapter 6). Reads it twice, an episode a thread, and keeps
-/// of it no more than the features of the frames that count, as words.
+/// the command of every frame, and of the frames that count, at most
+/// `config.transactions.most_frames` of them, the features as words. Where the lag is to be
+/// found, that comes first and takes about twice as long again; the model's config has what was
+/// found.
 ///
 /// The same demonstration, config and random: the same model.
 /// Throws UsageError when there is nothing to learn from: no frames, one action only, no features;

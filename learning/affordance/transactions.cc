@@ -2,6 +2,7 @@
 #include "learning/affordance/transactions.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "core/check.h"
@@ -10,11 +11,23 @@ namespace pacer::affordance {
 
 void TransactionConfig::validate() const {
   require(wanted >= 1 && wanted <= 20'000'000, "wanted: must lie in [1, 20000000]");
+  require(most_frames >= 1 && most_frames <= 10'000'000, "most_frames: must lie in [1, 10000000]");
   require(common_item_percent > 0.0 && common_item_percent <= 100.0,
           "common_item_percent: must lie in (0, 100]");
   require(picture_change >= 0.0, "picture_change: must not be negative");
   require(action_change >= 0.0, "action_change: must not be negative");
   require(stretch.count() > 0.0, "stretch_s: must be above 0");
+  const std::optional<Seconds> given = given_lag();
+  require(!given || (given->count() >= 0.0 && *given <= kLongestLag),
+          "lag_s: must be 'found' or lie in [0, 0.8]");
+}
+
+std::optional<Seconds> TransactionConfig::given_lag() const {
+  if (lag == "found") return std::nullopt;
+  double seconds = 0.0;
+  const auto [end, error] = std::from_chars(lag.data(), lag.data() + lag.size(), seconds);
+  const bool whole = error == std::errc{} && end == lag.data() + lag.size();
+  return Seconds{whole ? seconds : -1.0};  // what is no number is out of range
 }
 
 bool ChangeDetector::counts(const Frame& frame, const Command& command) {

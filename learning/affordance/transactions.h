@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/command.h"
@@ -13,25 +15,37 @@
 
 namespace pacer::affordance {
 
+/// The longest lag between picture and answer: what a person and a display take together.
+inline constexpr Seconds kLongestLag{0.8};
+
 /// Which frames, and how many of their configurations, become transactions (6.5.2).
 struct TransactionConfig {
-  int wanted = 150000;                ///< about so many transactions, of evenly thinned frames
+  int wanted = 150000;      ///< about so many transactions, of evenly thinned frames
+  int most_frames = 30000;  ///< that are learnt from: of more, evenly thinned ones, so that
+                            ///< memory does not grow with the recording
   double common_item_percent = 12.0;  ///< of transactions: an item that more of them hold tells
                                       ///< nothing apart and swamps the search; it is left out
   double picture_change = 1.5;        ///< grey levels; see ChangeDetector
   double action_change = 0.05;        ///< of full stick; see ChangeDetector
   Seconds stretch{3.0};  ///< frames within one such stretch of an episode are one witness
+  /// By how much a command comes later than the picture it answers (7.2.2): seconds, taken to the
+  /// nearest whole frame, or "found", from the data. A picture is learnt with its answer.
+  std::string lag = "0";
 
+  /// The lag in seconds; nothing when it is to be found.
+  [[nodiscard]] std::optional<Seconds> given_lag() const;
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
 
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("wanted", wanted);
+    visit("most_frames", most_frames);
     visit("common_item_percent", common_item_percent);
     visit("picture_change", picture_change);
     visit("action_change", action_change);
     visit("stretch_s", stretch);
+    visit("lag_s", lag);
   }
 };
 
@@ -59,7 +73,13 @@ class ChangeDetector {
   Command command_;
 };
 
-/// What training keeps of one episode: the features of the frames that count, as words.
+/// Which of `count` things to take for an even thinning to `most` of them: exactly so many, the
+/// first among them; all when there are fewer.
+[[nodiscard]] constexpr bool taken(std::uint64_t index, std::uint64_t count, std::uint64_t most) {
+  return count <= most || index == 0 || index * most / count != (index - 1) * most / count;
+}
+
+/// What training keeps of one episode: the features of the frames it learns from, as words.
 struct FeatureLog {
   std::vector<std::uint32_t> offsets = {0};  ///< frame f has features offsets[f] .. offsets[f + 1]
   Poses poses;

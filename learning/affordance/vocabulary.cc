@@ -18,14 +18,24 @@ void WordConfig::validate() const {
   require(every >= 0.0, "every_s: must not be negative");
 }
 
-Vocabulary::Vocabulary(std::vector<float> descriptors, std::vector<float> scales,
+DescriptorWords::DescriptorWords(std::vector<float> centres)
+    : centres_(std::move(centres)), nearest_(centres_, kDescriptorSize) {
+  check(!centres_.empty(), "a kind of feature has words");
+}
+
+DescriptorWords::DescriptorWords(std::vector<std::uint8_t> bits) : bits_(std::move(bits)) {
+  check(!bits_.empty(), "a kind of feature has words");
+}
+
+Vocabulary::Vocabulary(std::vector<DescriptorWords> kinds, std::vector<float> scales,
                        std::vector<float> orientations)
-    : descriptors_(std::move(descriptors)),
+    : kinds_(std::move(kinds)),
+      first_{0},
       scales_(std::move(scales)),
-      orientations_(std::move(orientations)),
-      nearest_(descriptors_, kDescriptorSize) {
-  check(!descriptors_.empty() && !scales_.empty() && !orientations_.empty(),
-        "a vocabulary has words of every kind");
+      orientations_(std::move(orientations)) {
+  check(!kinds_.empty() && !scales_.empty() && !orientations_.empty(),
+        "a vocabulary has words of every sort");
+  for (const DescriptorWords& words : kinds_) first_.push_back(first_.back() + words.count());
   for (const float angle : orientations_) {
     directions_.push_back(std::cos(angle));
     directions_.push_back(std::sin(angle));
@@ -35,7 +45,9 @@ Vocabulary::Vocabulary(std::vector<float> descriptors, std::vector<float> scales
 void Vocabulary::label(const Features& features, Words& words) const {
   words.resize(features.count());
   for (std::size_t i = 0; i < features.count(); ++i) {
-    words.descriptor[i] = static_cast<std::uint8_t>(nearest_(features.descriptor(i).data()));
+    const std::size_t kind = features.kinds[i];
+    words.descriptor[i] =
+        static_cast<std::uint8_t>(first_[kind] + kinds_[kind](features.descriptor(i).data()));
 
     const float scale = std::log(features.poses.size[i]);
     std::size_t best = 0;
@@ -59,13 +71,26 @@ void Vocabulary::label(const Features& features, Words& words) const {
   }
 }
 
-Vocabulary build_vocabulary(const Features& samples, const WordConfig& config,
-                            const Random& random) {
-  const std::vector<float> descriptors(samples.descriptors.begin(), samples.descriptors.end());
-  KMeansResult words =
-      kmeans(descriptors, kDescriptorSize,
-             {.clusters = config.descriptor, .iterations = config.iterations, .restarts = 1},
-             random.fork("descriptor words"));
+Vocabulary build_vocabulary(const Features& samples, std::span<const FeatureKind> kinds,
+                            const WordConfig& config, const Random& random) {
+  const KMeansOptions options{
+      .clusters = config.descriptor, .iterations = config.iterations, .restarts = 1};
+  std::vector<DescriptorWords> words;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    std::vector<std::uint8_t> own;
+    for (std::size_t i = 0; i < samples.count(); ++i) {
+      if (samples.kinds[i] != kind) continue;
+      own.insert(own.end(), samples.descriptor(i).begin(), samples.descriptor(i).end());
+    }
+    const Random chance =
+        kind == 0 ? random.fork("descriptor words") : random.fork("descriptor words", kind);
+    if (is_binary(kinds[kind])) {
+      words.emplace_back(std::move(k_majority(own, kDescriptorSize, options, chance).centres));
+    } else {
+      const std::vector<float> values(own.begin(), own.end());
+      words.emplace_back(std::move(kmeans(values, kDescriptorSize, options, chance).centres));
+    }
+  }
   std::vector<float> sizes;
   sizes.reserve(samples.count());
   for (const float size : samples.poses.size) sizes.push_back(std::log(size));
@@ -76,7 +101,7 @@ Vocabulary build_vocabulary(const Features& samples, const WordConfig& config,
   CircularKMeansResult orientations = circular_kmeans(
       samples.poses.angle, {.clusters = config.orientation, .iterations = 100, .restarts = 2},
       random.fork("orientation words"));
-  return {std::move(words.centres), std::move(scales.centres), std::move(orientations.centres)};
+  return {std::move(words), std::move(scales.centres), std::move(orientations.centres)};
 }
 
 }  // namespace pacer::affordance

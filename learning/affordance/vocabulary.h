@@ -12,7 +12,7 @@
 namespace pacer::affordance {
 
 struct WordConfig {
-  int descriptor = 50;  ///< descriptor words, 2 to 100
+  int descriptor = 50;  ///< descriptor words of each kind of feature, 2 to 100 in all
   int scale = 5;        ///< scale words, 1 to 10
   int orientation = 5;  ///< orientation words, 1 to 10
   int samples = 40000;  ///< features that the words are clustered from, at most
@@ -44,39 +44,66 @@ struct Words {
   }
 };
 
+/// The descriptor words of one kind of feature: bytes compared by Euclid, or bits by Hamming.
+class DescriptorWords {
+ public:
+  /// `centres` is words x kDescriptorSize, row-major, not empty.
+  explicit DescriptorWords(std::vector<float> centres);
+  explicit DescriptorWords(std::vector<std::uint8_t> bits);
+
+  [[nodiscard]] bool binary() const noexcept { return !bits_.empty(); }
+  [[nodiscard]] int count() const noexcept {
+    return static_cast<int>((binary() ? bits_.size() : centres_.size()) / kDescriptorSize);
+  }
+  [[nodiscard]] std::span<const float> centres() const noexcept { return centres_; }
+  [[nodiscard]] std::span<const std::uint8_t> bits() const noexcept { return bits_; }
+
+  /// The word nearest to a descriptor of kDescriptorSize bytes.
+  [[nodiscard]] int operator()(const std::uint8_t* descriptor) const noexcept {
+    return binary() ? static_cast<int>(nearest_by_bits(descriptor, bits_, kDescriptorSize).index)
+                    : nearest_(descriptor);
+  }
+
+ private:
+  std::vector<float> centres_;
+  std::vector<std::uint8_t> bits_;
+  NearestCentre nearest_;
+};
+
 /// The codebooks of 6.5. Words of scale are in the logarithm of size; words of orientation on the
-/// circle.
+/// circle. Descriptor words are numbered through the kinds of feature.
 class Vocabulary {
  public:
   Vocabulary() = default;
-  /// `descriptors` is words x kDescriptorSize, row-major; `scales` are logarithms of sizes, and
+  /// `kinds` are in the order of FeatureConfig::kinds; `scales` are logarithms of sizes, and
   /// `orientations` radians. None is empty.
-  Vocabulary(std::vector<float> descriptors, std::vector<float> scales,
+  Vocabulary(std::vector<DescriptorWords> kinds, std::vector<float> scales,
              std::vector<float> orientations);
 
-  [[nodiscard]] int descriptor_words() const noexcept { return nearest_.count(); }
+  [[nodiscard]] int descriptor_words() const noexcept { return first_.empty() ? 0 : first_.back(); }
   [[nodiscard]] int scale_words() const noexcept { return static_cast<int>(scales_.size()); }
   [[nodiscard]] int orientation_words() const noexcept {
     return static_cast<int>(orientations_.size());
   }
-  [[nodiscard]] std::span<const float> descriptors() const noexcept { return descriptors_; }
+  [[nodiscard]] std::span<const DescriptorWords> kinds() const noexcept { return kinds_; }
   [[nodiscard]] std::span<const float> scales() const noexcept { return scales_; }
   [[nodiscard]] std::span<const float> orientations() const noexcept { return orientations_; }
 
-  /// The nearest word of each kind for each feature; allocates only when `words` has to grow.
+  /// The nearest word of each sort for each feature; allocates only when `words` has to grow.
   void label(const Features& features, Words& words) const;
 
  private:
-  std::vector<float> descriptors_;
+  std::vector<DescriptorWords> kinds_;
+  std::vector<int> first_;  // the first word of each kind, and one past the last
   std::vector<float> scales_;
   std::vector<float> orientations_;
-  NearestCentre nearest_;
   std::vector<float> directions_;  // cos, sin of each orientation word
 };
 
-/// Clusters the words from `samples` (at least one feature). Fewer words come back when there are
-/// fewer distinct features.
-[[nodiscard]] Vocabulary build_vocabulary(const Features& samples, const WordConfig& config,
-                                          const Random& random);
+/// Clusters the words of `kinds` from `samples`, which hold at least one feature of each. Fewer
+/// words come back when there are fewer distinct features.
+[[nodiscard]] Vocabulary build_vocabulary(const Features& samples,
+                                          std::span<const FeatureKind> kinds,
+                                          const WordConfig& config, const Random& random);
 
 }  // namespace pacer::affordance

@@ -56,7 +56,8 @@ TEST(FeatureExtractor, APictureTooSmallForFeaturesHasNone) {
 
 TEST(Vocabulary, EveryWordIsTheNearestOfItsKind) {
   const Features features = pacer::testing::random_features(300, Random(5));
-  const Vocabulary vocabulary = build_vocabulary(features, {.iterations = 5}, Random(6));
+  const std::vector<FeatureKind> kinds = {FeatureKind::kSift};
+  const Vocabulary vocabulary = build_vocabulary(features, kinds, {.iterations = 5}, Random(6));
   ASSERT_EQ(vocabulary.descriptor_words(), 50);
   ASSERT_EQ(vocabulary.scale_words(), 5);
   ASSERT_EQ(vocabulary.orientation_words(), 5);

@@ -50,11 +50,17 @@ TEST(ModelFile, KeepsEverySetting) {
   model.config.response.vote = "rule";
   model.config.response.hold = Seconds{1.0 / 3.0};
   model.config.mining.grow_confident = true;
+  model.config.transactions.lag = "0.12";
+  model.frames_learnt = 12;
+  model.frames_matched = 7;
   const Model read = from_bytes(to_bytes(model), "the.model");
   EXPECT_EQ(read.config.mapping.ridge, 0.1);
   EXPECT_EQ(read.config.response.vote, "rule");
   EXPECT_EQ(read.config.response.hold.count(), 1.0 / 3.0);
   EXPECT_TRUE(read.config.mining.grow_confident);
+  EXPECT_EQ(read.config.transactions.lag, "0.12");
+  EXPECT_EQ(read.frames_learnt, 12U);
+  EXPECT_EQ(read.frames_matched, 7U);
   EXPECT_EQ(read.scenario, model.scenario);
   EXPECT_EQ(read.fingerprint, model.fingerprint);
   EXPECT_EQ(read.rules, model.rules);
@@ -91,6 +97,58 @@ TEST(ModelFile, HostileBytesUnderAGoodChecksumAreRefusedOrHarmless) {
     refused += failure(resealed(hostile)).empty() ? 0 : 1;
   }
   EXPECT_GT(refused, 0);
+}
+
+/// A model of SIFT and of ORB words.
+Model mixed_model() {
+  Model model = random_model(5);
+  model.config.features.kinds = {"sift", "orb"};
+  model.config.words.descriptor = 50;
+  std::vector<DescriptorWords> kinds(model.vocabulary.kinds().begin(),
+                                     model.vocabulary.kinds().end());
+  std::vector<std::uint8_t> bits(50 * kDescriptorSize);
+  Random random(4);
+  for (std::uint8_t& byte : bits) byte = static_cast<std::uint8_t>(random.below(256));
+  kinds.emplace_back(std::move(bits));
+  const auto copy = [](std::span<const float> values) {
+    return std::vector<float>(values.begin(), values.end());
+  };
+  model.vocabulary = Vocabulary(std::move(kinds), copy(model.vocabulary.scales()),
+                                copy(model.vocabulary.orientations()));
+  model.frequency.resize(static_cast<std::size_t>(ItemLayout(model.vocabulary).count()), 1);
+  return model;
+}
+
+TEST(ModelFile, CarriesMixedFeatures) {
+  const std::string bytes = to_bytes(mixed_model());
+  const Model read = from_bytes(bytes, "the.model");
+  EXPECT_EQ(to_bytes(read), bytes);
+  EXPECT_EQ(read.config.features.kinds, (std::vector<std::string>{"sift", "orb"}));
+  ASSERT_EQ(read.vocabulary.kinds().size(), 2U);
+  EXPECT_TRUE(read.vocabulary.kinds()[1].binary());
+  EXPECT_EQ(read.vocabulary.descriptor_words(), 100);
+  for (std::size_t size = 0; size < bytes.size(); size += 41) {
+    EXPECT_NE(failure(bytes.substr(0, size)), "") << size;
+  }
+}
+
+TEST(ModelFile, KindsOfFeatureThatItsWordsAreNotOfAreRefused) {
+  const auto with = [](const std::vector<std::string>& kinds) {
+    Model model = mixed_model();
+    model.config.features.kinds = kinds;
+    return failure(to_bytes(model));
+  };
+  EXPECT_EQ(with({"sift", "orb"}), "");
+  EXPECT_EQ(with({"sift", "brisk"}), "") << "bits as well";
+  for (const std::vector<std::string>& kinds : {std::vector<std::string>{"sift"},
+                                                {"sift", "blob"},
+                                                {"orb", "sift"},
+                                                {"sift", "surf"},
+                                                {"sift", "sift"},
+                                                {},
+                                                {"sift", "orb", "brisk"}}) {
+    EXPECT_NE(with(kinds).find("the.model: a damaged"), std::string::npos);
+  }
 }
 
 TEST(ModelFile, AnotherVersionSaysWhatToDo) {

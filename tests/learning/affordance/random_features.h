@@ -22,6 +22,7 @@ inline affordance::Features random_features(std::size_t count, Random random) {
     features.poses.add(value, static_cast<float>(random.uniform(60.0, 240.0)),
                        static_cast<float>(random.uniform(2.0, 8.0)),
                        static_cast<float>(random.uniform(0.0, 6.28)));
+    features.kinds.push_back(0);
     for (int d = 0; d < affordance::kDescriptorSize; ++d) {
       features.descriptors.push_back(static_cast<std::uint8_t>(random.below(120)));
     }
@@ -52,7 +53,9 @@ inline affordance::Vocabulary random_vocabulary(int descriptor, int scale, int o
   std::vector<float> descriptors(
       static_cast<std::size_t>(descriptor * affordance::kDescriptorSize));
   for (float& value : descriptors) value = static_cast<float>(random.uniform(0.0, 120.0));
-  return {descriptors, values(scale, 2.0), values(orientation, 6.28)};
+  return {{affordance::DescriptorWords(std::move(descriptors))},
+          values(scale, 2.0),
+          values(orientation, 6.28)};
 }
 
 /// `count` rules of `size` distinct items below `items`, of types in turn.

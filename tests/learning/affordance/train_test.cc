@@ -165,6 +165,79 @@ TEST(Train, RefusesADemonstrationTooShortForAnyRule) {
   EXPECT_THROW((void)train(ten, small_config(), Random(1), {}), NothingLearnt);
 }
 
+TEST(Train, LearnsFromNoMoreFramesHoweverLongTheRecording) {
+  AffordanceConfig config = small_config();
+  config.transactions.most_frames = 90;
+  for (const int frames : {60, 180}) {
+    const auto [model, report] = train(PatchDemonstration(3, frames, 6), config, Random(1), {});
+    EXPECT_EQ(report.frames, 3U * static_cast<unsigned>(frames));
+    EXPECT_GT(report.frames_counted, 100U);
+    EXPECT_EQ(report.frames_learnt, 90U);
+    EXPECT_EQ(model.frames_learnt, 90U);
+    EXPECT_LE(report.frames_matched, 90U);
+    std::uint64_t of_types = 0;
+    for (const TrainingReport::Type& type : report.types) of_types += type.frames;
+    EXPECT_EQ(of_types, 90U);
+    EXPECT_LT(report.features, 90U * 500U);
+  }
+}
+
+TEST(Train, MinesAsManyRulesAsAreWantedWhateverTheSupport) {
+  const PatchDemonstration demonstration(3, 60, 6);
+  AffordanceConfig config = small_config();
+  config.mining.wanted_rules = 40;
+  std::string bytes;
+  for (const double support : {0.01, 5.0}) {
+    config.mining.support_percent = support;
+    const auto [model, report] = train(demonstration, config, Random(1), {});
+    int full = 0;
+    for (const TrainingReport::Type& type : report.types) {
+      EXPECT_LE(type.mined, 40U);
+      EXPECT_GT(type.support_percent, 0.0);
+      EXPECT_EQ(type.capped, "") << "what was asked for is no cap";
+      full += type.mined > 20 ? 1 : 0;
+    }
+    EXPECT_GE(full, 4) << "rules of one support come together, but not so many";
+    Model same = model;
+    same.config.mining.support_percent = 1.0;
+    if (bytes.empty()) bytes = to_bytes(same);
+    EXPECT_EQ(to_bytes(same), bytes);
+  }
+}
+
+TEST(Train, LearnsFromFeaturesOfOtherKindsAndMixedOnes) {
+  for (const std::vector<std::string>& kinds :
+       {std::vector<std::string>{"orb"}, {"sift", "orb"}, {"sift", "blob"}}) {
+    AffordanceConfig config = small_config();
+    config.features.kinds = kinds;
+    config.words.descriptor = 30;
+    const Training training = train(PatchDemonstration(4, 80, 5), config, Random(1), {});
+    const Model model = from_bytes(to_bytes(training.model), "the.model");
+    EXPECT_EQ(model.config.features.kinds, kinds);
+    const Unseen unseen = respond_to_unseen(model);
+    EXPECT_GT(unseen.matched, unseen.frames / 2) << kinds.back();
+    EXPECT_GT(correlation(unseen.turn, unseen.taught_turn), 0.5) << kinds.back();
+  }
+}
+
+/// As many episodes as of the small world, in which the patch is nowhere and the teacher drives as
+/// if it were somewhere.
+TEST(Train, WhatIsLearntWithoutATargetIsRefusedOrSaidToBeLittle) {
+  std::vector<std::vector<PatchStep>> episodes;
+  for (std::uint64_t e = 0; e < 6; ++e) {
+    episodes.push_back(pacer::testing::wander(100, Random(5).fork("episode", e)));
+    for (PatchStep& step : episodes.back()) step.visible = false;
+  }
+  try {
+    const Training training =
+        train(PatchDemonstration(std::move(episodes)), small_config(), Random(1), {});
+    EXPECT_TRUE(training.report.knowledge.little()) << to_text(training.report.knowledge);
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("no rule holds"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(trained().report.knowledge.little()) << to_text(trained().report.knowledge);
+}
+
 TEST(Train, EndsWhenAStopIsRequested) {
   std::stop_source stop;
   stop.request_stop();

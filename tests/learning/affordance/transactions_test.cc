@@ -52,6 +52,23 @@ TEST(Transactions, HoldAscendingDistinctItems) {
   }
 }
 
+TEST(Transactions, FramesAreTakenEvenlyExactlySoManyOfThem) {
+  for (const std::uint64_t count : {1U, 7U, 100U, 101U, 4096U}) {
+    for (const std::uint64_t most : {1U, 2U, 7U, 99U, 100U, 5000U}) {
+      std::vector<std::uint64_t> kept;
+      for (std::uint64_t i = 0; i < count; ++i) {
+        if (taken(i, count, most)) kept.push_back(i);
+      }
+      ASSERT_EQ(kept.size(), std::min(count, most));
+      EXPECT_EQ(kept.front(), 0U);
+      for (std::size_t k = 1; k < kept.size(); ++k) {
+        EXPECT_NEAR(static_cast<double>(kept[k] - kept[k - 1]),
+                    std::max(1.0, static_cast<double>(count) / static_cast<double>(most)), 1.0);
+      }
+    }
+  }
+}
+
 Frame grey_frame(int level) {
   Frame frame;
   frame.size = {40, 30};
