@@ -98,9 +98,12 @@ void fit_outline(mjSpec& spec, const LeadShell& shell) {
 
 void WorldConfig::validate() const {
   draught.validate("draught_n", 0.0, 0.03);
-  require(layout == "route" || layout == "balloons", "layout: must be route or balloons");
-  require(layout == "route" || balloons, "balloons: the layout asks for them");
-  require(layout == "route" || !lead, "lead: only the layout route has a way for one");
+  require(layout == "route" || layout == "standing" || layout == "balloons",
+          "layout: must be route, standing or balloons");
+  require(layout != "balloons" || balloons, "balloons: the layout asks for them");
+  require(layout != "balloons" || !lead, "lead: the layout balloons has no place for one");
+  require(layout != "standing" || lead, "lead: the layout asks for one");
+  standing_lead.validate();
   placement.validate();
   livery.validate();
   room.validate();
@@ -133,7 +136,7 @@ World::World(const WorldConfig& config, Seconds time_step, double fovy, const Ra
   car_.emplace(*model_, "car/", config.car, car_random);
   if (config.lead) {
     lead_.emplace(*model_, "lead/", config.lead_car, lead_random);
-    lead_driver_.emplace(config.lead_driver, route_);
+    if (config.layout == "route") lead_driver_.emplace(config.lead_driver, route_);
     lead_period_ = std::max(1L, std::lround(kLeadReaction / time_step));
   }
   Random air = random.fork("air");
@@ -169,9 +172,16 @@ void World::lay_out(const WorldConfig& config, mjSpec& spec, const Random& room)
   if (config.balloons) {
     hang(balloon_places(plan_, room.fork("balloon_places")), {0.34, 0.55});
   }
+  if (config.layout == "standing") {
+    const StandingPlaces places = place_standing(config.standing_lead, plan_, room);
+    start_ = places.car;
+    lead_start_ = places.lead;
+    return;
+  }
   if (!config.furnished && !config.lead) return;
   route_ = plan_route(config.route, plan_, room.fork("route"));
   start_ = route_.follower_start();
+  lead_start_ = route_.lead_start();
 }
 
 void World::compile(mjSpec& spec) {
@@ -193,7 +203,7 @@ void World::compile(mjSpec& spec) {
 
 void World::settle(const WorldConfig& config) {
   car_->place(*data_, start_);
-  if (config.lead) lead_->place(*data_, route_.lead_start());
+  if (config.lead) lead_->place(*data_, lead_start_);
   for (Seconds past{}; past < kSettle; past += Seconds{model_->opt.timestep}) {
     mj_step(model_.get(), data_.get());
   }
@@ -219,6 +229,7 @@ void World::advance(const Pulses& pulses) {
 }
 
 Pulses World::drive_lead() {
+  if (!lead_driver_) return Channels{}.encode({});
   const Seconds period{static_cast<double>(lead_period_) * model_->opt.timestep};
   const Command command =
       lead_driver_->act(lead_->pose(*data_), lead_->speed(*data_), step_ == 0 ? Seconds{} : period);

@@ -100,6 +100,11 @@ const std::vector<Study>& studies() {
       {"apriori", "mining: equal to independent implementations, and its time", "follow",
        study_apriori, "transactions"},
       {"hits", "Table 6.1: do mined configurations lie on the lead?", "follow", study_hits},
+      {"standing-lead", "Figure 6.16: a lead that stands to the left, in the middle, to the right",
+       "follow", study_standing_lead},
+      {"absence", "rooms without a lead: does it stand?", "follow", study_absence},
+      {"loss", "6.7.1, 6.6.2: what to do when the lead is lost, in closed loop", "follow",
+       study_loss},
       {"following", "closed loop in unseen rooms, against the teacher", "follow", study_following}};
   return all;
 }
