@@ -66,14 +66,14 @@ std::string learn_nearest(const Scenario& /*scenario*/, const std::filesystem::p
 std::string learn_supervised(const Scenario& scenario, const std::filesystem::path& folder,
                              const TrainingOptions& options, baselines::TrainingReport& report) {
   return baselines::to_bytes(baselines::train_supervised(
-      dataset::MarkedRecording(folder), scenario.affordance.response.when_lost(),
+      dataset::MarkedRecording(folder), scenario.affordance.response.loss,
       chances_of_training(scenario), options, report));
 }
 
 std::string learn_tracker(const Scenario& scenario, const std::filesystem::path& folder,
                           const TrainingOptions& options, baselines::TrainingReport& report) {
   return baselines::to_bytes(baselines::train_tracker(
-      dataset::MarkedRecording(folder), scenario.affordance.response.when_lost(),
+      dataset::MarkedRecording(folder), scenario.affordance.response.loss,
       chances_of_training(scenario), options, report));
 }
 

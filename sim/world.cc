@@ -99,11 +99,14 @@ void fit_outline(mjSpec& spec, const LeadShell& shell) {
 
 void WorldConfig::validate() const {
   draught.validate("draught_n", 0.0, 0.03);
-  require(layout == "route" || layout == "balloons" || layout == "lane",
-          "layout: must be route, balloons or lane");
+  require(layout == "route" || layout == "standing" || layout == "balloons" || layout == "lane",
+          "layout: must be route, standing, balloons or lane");
   require(layout != "balloons" || balloons, "balloons: the layout asks for them");
-  require(layout == "route" || !lead, "lead: only the layout route has a way for one");
+  require(layout == "route" || layout == "standing" || !lead,
+          "lead: only the layouts route and standing have a place for one");
+  require(layout != "standing" || lead, "lead: the layout asks for one");
   require(lead_body == "vehicle" || lead_body == "person", "lead_body: must be vehicle or person");
+  standing_lead.validate();
   placement.validate();
   lane.validate();
   livery.validate();
@@ -143,7 +146,7 @@ World::World(const WorldConfig& config, Seconds time_step, double fovy, const Ra
   car_.emplace(*model_, "car/", config.car, car_random);
   if (config.lead) {
     lead_.emplace(*model_, "lead/", config.lead_car, lead_random);
-    lead_driver_.emplace(config.lead_driver, route_);
+    if (config.layout == "route") lead_driver_.emplace(config.lead_driver, route_);
     if (config.follows_a_person()) gait_.emplace(*model_, "lead/");
     lead_period_ = std::max(1L, std::lround(kLeadReaction / time_step));
   }
@@ -184,9 +187,16 @@ void World::lay_out(const WorldConfig& config, mjSpec& spec, const Random& room)
     put_on_lane(config, spec, room);
     return;
   }
+  if (config.layout == "standing") {
+    const StandingPlaces places = place_standing(config.standing_lead, plan_, room);
+    start_ = places.car;
+    lead_start_ = places.lead;
+    return;
+  }
   if (!config.furnished && !config.lead) return;
   route_ = plan_route(config.route, plan_, room.fork("route"));
   start_ = route_.follower_start();
+  lead_start_ = route_.lead_start();
 }
 
 void World::put_on_lane(const WorldConfig& config, mjSpec& spec, const Random& room) {
@@ -218,7 +228,7 @@ void World::compile(mjSpec& spec) {
 
 void World::settle(const WorldConfig& config) {
   car_->place(*data_, start_);
-  if (config.lead) lead_->place(*data_, route_.lead_start());
+  if (config.lead) lead_->place(*data_, lead_start_);
   for (Seconds past{}; past < kSettle; past += Seconds{model_->opt.timestep}) {
     mj_step(model_.get(), data_.get());
   }
@@ -245,6 +255,7 @@ void World::advance(const Pulses& pulses) {
 }
 
 Pulses World::drive_lead() {
+  if (!lead_driver_) return Channels{}.encode({});
   const Seconds period{static_cast<double>(lead_period_) * model_->opt.timestep};
   const Command command =
       lead_driver_->act(lead_->pose(*data_), lead_->speed(*data_), step_ == 0 ? Seconds{} : period);

@@ -20,6 +20,7 @@
 #include "sim/placement.h"
 #include "sim/room.h"
 #include "sim/route.h"
+#include "sim/standing_lead.h"
 #include "sim/vehicle.h"
 
 namespace pacer::sim {
@@ -30,10 +31,12 @@ struct WorldConfig {
   bool lead = true;                   ///< false: the car is alone
   std::string lead_body = "vehicle";  ///< what is followed looks like: vehicle or person
   bool balloons = true;               ///< a red and a green one
-  /// Where the car starts and the balloons stand. `route`: on the lead's way, and out of the way.
-  /// `balloons`: as `placement` says, the balloons in the open. `lane`: in the lane that `lane`
-  /// describes, the balloons out of the way.
+  /// Where the car starts and what stands where. `route`: on the lead's way, the balloons out of
+  /// the way. `standing`: the lead never moves; it is where `standing_lead` says. `balloons`: as
+  /// `placement` says, the balloons in the open. `lane`: in the lane that `lane` describes, the
+  /// balloons out of the way.
   std::string layout = "route";
+  StandingLeadConfig standing_lead;
   PlacementConfig placement;
   LaneConfig lane;
   Range draught{0.002, 0.006};  ///< newtons, the most that moving air pushes a balloon with
@@ -59,6 +62,7 @@ struct WorldConfig {
     visit("lead_body", lead_body);
     visit("balloons", balloons);
     visit("layout", layout);
+    visit("standing_lead", standing_lead);
     visit("placement", placement);
     visit("lane", lane);
     visit("draught_n", draught);
@@ -91,6 +95,8 @@ class World {
   [[nodiscard]] mjData& data() noexcept { return *data_; }
   [[nodiscard]] const mjData& data() const noexcept { return *data_; }
   [[nodiscard]] const RoomPlan& plan() const noexcept { return plan_; }
+  /// The lead's way, whether or not there is a lead; empty unless the layout is `route`.
+  [[nodiscard]] const Route& route() const noexcept { return route_; }
   [[nodiscard]] int camera() const noexcept { return camera_; }
   [[nodiscard]] const Vehicle& car() const noexcept { return *car_; }
   /// nullptr where there is none.
@@ -122,13 +128,14 @@ class World {
   Route route_;
   Lane lane_;
   std::vector<Board> boards_;
-  FloorPose start_;  // of the car
+  FloorPose start_;       // of the car
+  FloorPose lead_start_;  // of the lead, where there is one
   std::unique_ptr<mjModel, Delete> model_;
   std::unique_ptr<mjData, Delete> data_;
   int camera_ = -1;
   std::optional<Vehicle> car_;
   std::optional<Vehicle> lead_;
-  std::optional<LeadDriver> lead_driver_;
+  std::optional<LeadDriver> lead_driver_;  // none where the lead stands
   std::optional<Gait> gait_;  // where the lead is a person
   std::optional<Draught> draught_;
   Pulses lead_pulses_;

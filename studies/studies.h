@@ -6,6 +6,7 @@
 namespace pacer {
 
 // One function for each study, each in a file of its own.
+StudyResult study_absence(const StudyContext& context, report::Page& page);
 StudyResult study_action_clusters(const StudyContext& context, report::Page& page);
 StudyResult study_apriori(const StudyContext& context, report::Page& page);
 StudyResult study_balloon(const StudyContext& context, report::Page& page);
@@ -19,6 +20,7 @@ StudyResult study_hits(const StudyContext& context, report::Page& page);
 StudyResult study_interframe(const StudyContext& context, report::Page& page);
 StudyResult study_lag(const StudyContext& context, report::Page& page);
 StudyResult study_learning_curve(const StudyContext& context, report::Page& page);
+StudyResult study_loss(const StudyContext& context, report::Page& page);
 StudyResult study_output_clustering(const StudyContext& context, report::Page& page);
 StudyResult study_parameters(const StudyContext& context, report::Page& page);
 StudyResult study_perceptual_weighting(const StudyContext& context, report::Page& page);
@@ -26,6 +28,7 @@ StudyResult study_recall_efficiency(const StudyContext& context, report::Page& p
 StudyResult study_response(const StudyContext& context, report::Page& page);
 StudyResult study_signals(const StudyContext& context, report::Page& page);
 StudyResult study_tasks(const StudyContext& context, report::Page& page);
+StudyResult study_standing_lead(const StudyContext& context, report::Page& page);
 StudyResult study_throughput(const StudyContext& context, report::Page& page);
 StudyResult study_tracking(const StudyContext& context, report::Page& page);
 StudyResult study_training_range(const StudyContext& context, report::Page& page);

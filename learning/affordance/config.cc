@@ -7,11 +7,18 @@
 
 namespace pacer::affordance {
 
+void EvidenceConfig::validate() const {
+  require(caution >= 0.0 && caution <= 10.0, "caution: must lie in [0, 10]");
+  require(keep > 0.0 && keep <= 1.0, "keep: must lie in (0, 1]");
+  require(memory.count() > 0.0 && memory.count() <= 60.0, "memory_s: must lie in (0, 60]");
+}
+
 void ResponseConfig::validate() const {
   require(vote == "configuration" || vote == "rule", "vote: must be 'configuration' or 'rule'");
-  require(least_configurations >= 1, "least_configurations: must be at least 1");
   require(search_range >= 0.0, "search_range: must not be negative");
-  when_lost().validate();
+  ResponseConfig copy = *this;
+  validate_section("evidence", copy.evidence);
+  validate_section("loss", copy.loss);
 }
 
 void AffordanceConfig::validate() const {

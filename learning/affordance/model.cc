@@ -110,6 +110,7 @@ std::string body(const Model& model) {
   out.sequence(model.vocabulary.scales());
   out.sequence(model.vocabulary.orientations());
   out.sequence(std::span<const std::uint32_t>(model.frequency));
+  out.value(model.typical_witnesses);
   out.value(static_cast<std::uint64_t>(model.rules.size()));
   for (std::size_t r = 0; r < model.rules.size(); ++r) {
     write_rule(model.rules[r], model.mappings[r], out);
@@ -171,8 +172,11 @@ Model read_body(std::string_view bytes) {
   model.frequency = in.sequence<std::uint32_t>();
   sane(model.frequency.size() == static_cast<std::size_t>(ItemLayout(model.vocabulary).count()),
        "item frequencies");
+  model.typical_witnesses = in.value<double>();
   constexpr std::size_t kLeastRuleSize = 64;
   const std::size_t rules = in.count(kLeastRuleSize);
+  sane(model.typical_witnesses >= 0.0 && model.typical_witnesses <= static_cast<double>(rules),
+       "the typical number of witnesses");
   model.rules.resize(rules);
   model.mappings.resize(rules);
   for (std::size_t r = 0; r < rules; ++r) read_rule(in, model, model.rules[r], model.mappings[r]);

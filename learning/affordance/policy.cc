@@ -7,27 +7,45 @@
 namespace pacer::affordance {
 
 AffordancePolicy::AffordancePolicy(std::shared_ptr<const Model> model)
-    : model_(std::move(model)), perception_(*model_), loss_(model_->config.response.when_lost()) {}
+    : model_(std::move(model)),
+      perception_(*model_),
+      evidence_(model_->config.response.evidence, model_->typical_witnesses),
+      loss_(model_->config.response.loss) {}
 
 Command AffordancePolicy::act(const Observation& observation, Annotations& annotations) {
-  perception_.look(observation.frame);
-  std::span<const Vote> votes = perception_.match(target_);
-  // Nothing near the last target: the whole image, in the same frame.
-  if (!enough(votes) && target_.range >= 0.0F) votes = perception_.match();
-  if (!enough(votes)) return lost(observation, annotations);
+  const Frame& frame = observation.frame;
+  perception_.look(frame);
+  const std::span<const Vote> votes = match();
+  if (!evidence_.add(frame.time, consensus_.witnesses) || votes.empty()) {
+    acted_on_ = 0;
+    target_.range = -1.0F;
+    annotations.label = label_of(loss_.phase(frame.time));
+    return loss_.act(frame.time);
+  }
   const Command action = respond(votes);
-  loss_.saw(observation.frame.time, action);
-  remember_target(votes);
+  acted_on_ = consensus_.configurations;
+  const auto range = static_cast<float>(model_->config.response.search_range);
+  target_ = {.x = consensus_.x,
+             .y = consensus_.y,
+             .range = range > 0.0F ? range * consensus_.grid : -1.0F};
+  const double middle = 0.5 * (frame.size.width - 1);
+  loss_.saw(frame.time, action, middle - static_cast<double>(consensus_.x));
   annotate(votes, annotations);
   return action;
 }
 
-bool AffordancePolicy::enough(std::span<const Vote> votes) {
-  configurations_ = 0;
-  for (std::size_t v = 0; v < votes.size(); ++v) {
-    if (v == 0 || votes[v].centre != votes[v - 1].centre) ++configurations_;
+/// Near the last target first; where nothing, or too little, matches there, the whole image in the
+/// same frame.
+std::span<const Vote> AffordancePolicy::match() {
+  const Poses& poses = perception_.features().poses;
+  std::span<const Vote> votes = perception_.match(target_);
+  consensus_ = finder_.find(votes, poses.x, poses.y);
+  const bool enough = !votes.empty() && consensus_.witnesses >= evidence_.least();
+  if (!enough && target_.range >= 0.0F) {
+    votes = perception_.match();
+    consensus_ = finder_.find(votes, poses.x, poses.y);
   }
-  return configurations_ >= model_->config.response.least_configurations;
+  return votes;
 }
 
 Command AffordancePolicy::respond(std::span<const Vote> votes) {
@@ -51,28 +69,6 @@ Command AffordancePolicy::respond(std::span<const Vote> votes) {
   return clamped({median_of(&Command::steering), median_of(&Command::throttle)});
 }
 
-void AffordancePolicy::remember_target(std::span<const Vote> votes) {
-  const Poses& poses = perception_.features().poses;
-  const auto median_of = [&](const auto& value) {
-    values_.clear();
-    for (std::size_t v = 0; v < votes.size(); ++v) {
-      if (v > 0 && votes[v].centre == votes[v - 1].centre) continue;
-      values_.push_back({static_cast<double>(value(votes[v])), 1.0});
-    }
-    return static_cast<float>(weighted_median(values_));
-  };
-  target_.x = median_of([&](const Vote& vote) { return poses.x[vote.centre]; });
-  target_.y = median_of([&](const Vote& vote) { return poses.y[vote.centre]; });
-  target_grid_ = 3.0F * median_of([](const Vote& vote) { return vote.tile_side; });
-  const auto range = static_cast<float>(model_->config.response.search_range);
-  target_.range = range > 0.0F ? range * target_grid_ : -1.0F;
-}
-
-Command AffordancePolicy::lost(const Observation& observation, Annotations& annotations) {
-  target_.range = -1.0F;
-  return loss_.respond(observation.frame.time, annotations.label);
-}
-
 void AffordancePolicy::annotate(std::span<const Vote> votes, Annotations& annotations) {
   const Poses& poses = perception_.features().poses;
   std::array<double, 256> type_weight{};
@@ -90,15 +86,16 @@ void AffordancePolicy::annotate(std::span<const Vote> votes, Annotations& annota
       annotations.lines.push_back({centre, at, Tone::kMatched});
     }
   }
-  const float half = 0.5F * target_grid_;
-  annotations.boxes.push_back(
-      {{target_.x - half, target_.y - half}, {target_.x + half, target_.y + half}, Tone::kTarget});
+  const float half = 0.5F * consensus_.grid;
+  annotations.boxes.push_back({{consensus_.x - half, consensus_.y - half},
+                               {consensus_.x + half, consensus_.y + half},
+                               Tone::kTarget});
   const auto types = static_cast<std::ptrdiff_t>(model_->actions.names.size());
   const auto most =
       std::max_element(type_weight.begin(), type_weight.begin() + types) - type_weight.begin();
   annotations.label = model_->actions.names[static_cast<std::size_t>(most)] + ", " +
                       std::to_string(votes.size()) + " rules in " +
-                      std::to_string(configurations_) + " places";
+                      std::to_string(consensus_.configurations) + " places";
 }
 
 }  // namespace pacer::affordance

@@ -4,7 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/loss.h"
 #include "core/policy.h"
+#include "learning/affordance/evidence.h"
 #include "learning/affordance/median.h"
 #include "learning/affordance/model.h"
 #include "learning/affordance/perception.h"
@@ -23,22 +25,22 @@ class AffordancePolicy final : public Policy {
 
   /// Of the last act().
   [[nodiscard]] const ResponseTimes& times() const noexcept { return perception_.times(); }
-  /// Distinct configurations that matched in the last act().
-  [[nodiscard]] int configurations() const noexcept { return configurations_; }
+  /// Distinct configurations that the last act() acted on; none where it did not.
+  [[nodiscard]] int configurations() const noexcept { return acted_on_; }
 
  private:
-  [[nodiscard]] bool enough(std::span<const Vote> votes);
+  [[nodiscard]] std::span<const Vote> match();
   [[nodiscard]] Command respond(std::span<const Vote> votes);
-  void remember_target(std::span<const Vote> votes);
-  [[nodiscard]] Command lost(const Observation& observation, Annotations& annotations);
   void annotate(std::span<const Vote> votes, Annotations& annotations);
 
   std::shared_ptr<const Model> model_;
   Perception perception_;
-  int configurations_ = 0;
-  SearchRegion target_;       // of the last matches; everywhere until there are any
-  float target_grid_ = 0.0F;  // pixels, their median grid side
-  Loss loss_;
+  ConsensusFinder finder_;
+  Consensus consensus_;  // of the frame's matches
+  SearchRegion target_;  // about the last consensus acted on; everywhere where there is none
+  Evidence evidence_;
+  LossStrategy loss_;
+  int acted_on_ = 0;
   std::vector<double> weights_;
   std::vector<Weighted> values_;
   std::vector<std::uint16_t> named_;

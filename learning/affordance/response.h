@@ -3,10 +3,28 @@
 
 #include <string>
 
+#include "core/loss.h"
 #include "core/units.h"
-#include "learning/loss.h"
 
 namespace pacer::affordance {
+
+/// When matches are taken for the target and not for a patch of background; see Evidence.
+struct EvidenceConfig {
+  double caution = 0.2;  ///< share of the demonstration's typical evidence, from which on the car
+                         ///< acts; 0: on any match
+  double keep = 0.5;     ///< (0, 1]; of that, down to which it goes on acting
+  Seconds memory{0.3};   ///< that evidence is averaged over
+
+  /// Throws std::invalid_argument, naming the field.
+  void validate() const;
+
+  template <class Visitor>
+  void fields(Visitor&& visit) {
+    visit("caution", caution);
+    visit("keep", keep);
+    visit("memory_s", memory);
+  }
+};
 
 /// How an action comes from the rules that match, and what is done when none does.
 struct ResponseConfig {
@@ -14,13 +32,9 @@ struct ResponseConfig {
   /// patch of background that matches a hundred rules counts as one; "rule": every match has one,
   /// the plain median of 6.6.2.
   std::string vote = "configuration";
-  int least_configurations = 1;  ///< that must match before the car acts on them
   double search_range = 3.0;  ///< of the last matches' median grid side; 0 looks everywhere (6.6.2)
-  std::string lost = "continue";  ///< when nothing matches: "stop" or "continue" (6.7.1)
-  Seconds hold{0.4};              ///< how long "continue" holds the last action before it stops
-  double stop_throttle = 0.0;     ///< stick, [-1, 0]; below 0 brakes
-
-  [[nodiscard]] LossConfig when_lost() const { return {lost, hold, stop_throttle}; }
+  EvidenceConfig evidence;    ///< before it acts on what matches
+  LossConfig loss;            ///< what it does else (6.7.1)
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
@@ -28,11 +42,9 @@ struct ResponseConfig {
   template <class Visitor>
   void fields(Visitor&& visit) {
     visit("vote", vote);
-    visit("least_configurations", least_configurations);
     visit("search_range", search_range);
-    visit("lost", lost);
-    visit("hold_s", hold);
-    visit("stop_throttle", stop_throttle);
+    visit("evidence", evidence);
+    visit("loss", loss);
   }
 };
 

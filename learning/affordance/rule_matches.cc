@@ -26,6 +26,7 @@ EpisodeMatches find_matches(const FeatureLog& episode, std::span<const Rule> rul
       matcher.match(configuration, [&](std::size_t rule) {
         matches.rules.push_back(static_cast<std::uint32_t>(rule));
         matches.frame_of.push_back(static_cast<std::uint32_t>(f));
+        matches.centres.push_back(static_cast<std::uint16_t>(centre));
         for (const Item item : rules[rule].items) {
           matches.features.push_back(configuration.feature(item));
         }

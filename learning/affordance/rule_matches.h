@@ -15,6 +15,7 @@ namespace pacer::affordance {
 struct EpisodeMatches {
   std::vector<std::uint32_t> rules;       ///< one a match
   std::vector<std::uint32_t> frame_of;    ///< one a match
+  std::vector<std::uint16_t> centres;     ///< one a match, of its configuration, within the frame
   std::vector<std::uint32_t> offsets{0};  ///< match m's features start here in `features`
   std::vector<std::uint16_t> features;    ///< within the frame, one an item of the rule
 

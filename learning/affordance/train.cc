@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "core/check.h"
+#include "learning/affordance/evidence.h"
 #include "learning/affordance/feature_sample.h"
 #include "learning/affordance/parallel.h"
 #include "learning/affordance/rule_matches.h"
@@ -350,6 +351,7 @@ void Trainer::learn_mappings() {
         "wants about two minutes); record more, or lower affordance.mining.support_percent");
   }
   model_.matcher = RuleMatcher(model_.rules, model_.frequency);
+  model_.typical_witnesses = typical_witnesses(logs_, matches, kept, config_.grid);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@ void BoxDriving::write(ByteWriter& out) const {
   action.write(out);
   out.text(when_lost.strategy);
   out.value(when_lost.hold.count());
+  out.value(when_lost.search.count());
+  out.value(when_lost.search_throttle);
   out.value(when_lost.stop_throttle);
 }
 
@@ -17,16 +19,21 @@ BoxDriving BoxDriving::read(ByteReader& in) {
   driving.action = BoxAction::read(in);
   driving.when_lost.strategy = in.text();
   driving.when_lost.hold = Seconds{in.value<double>()};
+  driving.when_lost.search = Seconds{in.value<double>()};
+  driving.when_lost.search_throttle = in.value<double>();
   driving.when_lost.stop_throttle = in.value<double>();
   driving.when_lost.validate();
   return driving;
 }
 
-Command BoxResponse::respond(const std::optional<Box>& box, Seconds time,
+Command BoxResponse::respond(const std::optional<Box>& box, const Frame& frame,
                              Annotations& annotations) {
-  if (!box || !is_proper(*box)) return loss_.respond(time, annotations.label);
+  if (!box || !is_proper(*box)) {
+    annotations.label = label_of(loss_.phase(frame.time));
+    return loss_.act(frame.time);
+  }
   const Command command = action_(*box);
-  loss_.saw(time, command);
+  loss_.saw(frame.time, command, 0.5 * (frame.size.width - 1) - box->x);
   annotations.boxes.push_back({.low = {.x = static_cast<float>(box->x - 0.5 * box->width),
                                        .y = static_cast<float>(box->y - 0.5 * box->height)},
                                .high = {.x = static_cast<float>(box->x + 0.5 * box->width),

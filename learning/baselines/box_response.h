@@ -5,8 +5,9 @@
 
 #include "core/annotation.h"
 #include "core/box.h"
+#include "core/frame.h"
+#include "core/loss.h"
 #include "learning/baselines/box_action.h"
-#include "learning/loss.h"
 
 namespace pacer::baselines {
 
@@ -27,13 +28,13 @@ class BoxResponse {
   explicit BoxResponse(const BoxDriving& driving)
       : action_(driving.action), loss_(driving.when_lost) {}
 
-  /// What to do at `time`, with the target in `box`. Marks it.
-  [[nodiscard]] Command respond(const std::optional<Box>& box, Seconds time,
+  /// What to do about `frame`, with the target in `box`. Marks it.
+  [[nodiscard]] Command respond(const std::optional<Box>& box, const Frame& frame,
                                 Annotations& annotations);
 
  private:
   BoxAction action_;
-  Loss loss_;
+  LossStrategy loss_;
 };
 
 }  // namespace pacer::baselines

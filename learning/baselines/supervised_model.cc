@@ -80,7 +80,7 @@ SupervisedPolicy::SupervisedPolicy(std::shared_ptr<const SupervisedModel> model)
 Command SupervisedPolicy::act(const Observation& observation, Annotations& annotations) {
   model_->origin.require_size(observation.frame);
   const std::optional<Detection> found = detector_.detect(observation.frame);
-  return response_.respond(found ? std::optional(found->box) : std::nullopt, observation.frame.time,
+  return response_.respond(found ? std::optional(found->box) : std::nullopt, observation.frame,
                            annotations);
 }
 

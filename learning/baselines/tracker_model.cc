@@ -77,7 +77,7 @@ Command TrackerPolicy::act(const Observation& observation, Annotations& annotati
     tracker_.start(frame, *box);
     started_ = true;
   }
-  return response_.respond(box, frame.time, annotations);
+  return response_.respond(box, frame, annotations);
 }
 
 std::unique_ptr<Policy> TrackerPolicyModel::make(const Random& random,

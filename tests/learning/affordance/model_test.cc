@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -48,15 +49,19 @@ TEST(ModelFile, KeepsEverySetting) {
   Model model = random_model(3);
   model.config.mapping.ridge = 0.1;
   model.config.response.vote = "rule";
-  model.config.response.hold = Seconds{1.0 / 3.0};
+  model.config.response.loss.hold = Seconds{1.0 / 3.0};
+  model.config.response.evidence.caution = 0.3;
   model.config.mining.grow_confident = true;
   model.config.transactions.lag = "0.12";
   model.frames_learnt = 12;
   model.frames_matched = 7;
+  model.typical_witnesses = 2.5;
   const Model read = from_bytes(to_bytes(model), "the.model");
   EXPECT_EQ(read.config.mapping.ridge, 0.1);
   EXPECT_EQ(read.config.response.vote, "rule");
-  EXPECT_EQ(read.config.response.hold.count(), 1.0 / 3.0);
+  EXPECT_EQ(read.config.response.loss.hold.count(), 1.0 / 3.0);
+  EXPECT_EQ(read.config.response.evidence.caution, 0.3);
+  EXPECT_EQ(read.typical_witnesses, 2.5);
   EXPECT_TRUE(read.config.mining.grow_confident);
   EXPECT_EQ(read.config.transactions.lag, "0.12");
   EXPECT_EQ(read.frames_learnt, 12U);
@@ -65,6 +70,14 @@ TEST(ModelFile, KeepsEverySetting) {
   EXPECT_EQ(read.fingerprint, model.fingerprint);
   EXPECT_EQ(read.rules, model.rules);
   EXPECT_EQ(read.mappings, model.mappings);
+}
+
+TEST(ModelFile, MoreWitnessesThanRulesAreRefused) {
+  Model model = random_model(3);
+  for (const double typical : {-1.0, 3.5, std::nan(""), HUGE_VAL}) {
+    model.typical_witnesses = typical;
+    EXPECT_NE(failure(to_bytes(model)).find("number of witnesses"), std::string::npos) << typical;
+  }
 }
 
 TEST(ModelFile, EveryTruncationIsRefused) {

@@ -22,11 +22,52 @@ Frame empty_frame(Seconds time) {
 
 TEST(AffordancePolicy, StopsWhereItHasNeverSeenAnything) {
   auto model = std::make_shared<Model>(random_model(50));
-  model->config.response.stop_throttle = -0.3;
+  model->config.response.loss.stop_throttle = -0.3;
   AffordancePolicy policy(model);
   Annotations annotations;
   EXPECT_EQ(policy.act({empty_frame(Seconds{0.0}), {}}, annotations), (Command{0.0, -0.3}));
   EXPECT_EQ(annotations.label, "lost: stop");
+}
+
+/// A picture of noise, in which random rules match.
+Frame noise(Seconds time) {
+  Frame frame = empty_frame(time);
+  Random random(8);
+  for (std::uint8_t& value : frame.rgb) value = static_cast<std::uint8_t>(random.below(256));
+  return frame;
+}
+
+TEST(AffordancePolicy, ActsOnAnyMatchWhereNothingIsTypical) {
+  AffordancePolicy policy(std::make_shared<Model>(random_model(3000)));
+  Annotations annotations;
+  (void)policy.act({noise(Seconds{0.0}), {}}, annotations);
+  EXPECT_GT(policy.configurations(), 0);
+}
+
+TEST(AffordancePolicy, StandsBeforeWhatMatchesFarLessThanTheDemonstration) {
+  auto model = std::make_shared<Model>(random_model(3000));
+  model->typical_witnesses = 2900.0;
+  AffordancePolicy policy(model);
+  Annotations annotations;
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(policy.act({noise(Seconds{0.04 * i}), {}}, annotations), Command{});
+    EXPECT_EQ(policy.configurations(), 0);
+  }
+}
+
+TEST(AffordancePolicy, SearchesOnTheSideWhereTheTargetWas) {
+  auto model = std::make_shared<Model>(random_model(3000));
+  model->config.response.loss.strategy = "search";
+  AffordancePolicy policy(model);
+  Annotations annotations;
+  (void)policy.act({noise(Seconds{0.0}), {}}, annotations);
+  ASSERT_EQ(annotations.boxes.size(), 1U);
+  const float middle = 0.5F * (annotations.boxes[0].low.x + annotations.boxes[0].high.x);
+  ASSERT_NE(middle, 159.5F);
+  annotations.clear();
+  const Command command = policy.act({empty_frame(Seconds{1.0}), {}}, annotations);
+  EXPECT_EQ(command.steering, middle < 159.5F ? 1.0 : -1.0);
+  EXPECT_EQ(annotations.label, "lost: search");
 }
 
 TEST(AffordancePolicy, RefusesAPictureOfAnotherSize) {

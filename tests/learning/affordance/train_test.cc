@@ -110,6 +110,31 @@ TEST(Train, RulesLieOnTheLeadWithoutBeingToldOfIt) {
   EXPECT_GT(static_cast<double>(unseen.hits), 0.7 * unseen.rules);
 }
 
+TEST(Train, ABackgroundAloneIsNotActedOn) {
+  auto cautious = std::make_shared<Model>(trained().model);
+  auto careless = std::make_shared<Model>(trained().model);
+  EXPECT_GT(cautious->typical_witnesses, 5.0);
+  careless->config.response.evidence.caution = 0.0;
+  AffordancePolicy policy(cautious), other(careless);
+  int acted = 0, others = 0;
+  Annotations annotations;
+  for (const std::uint64_t background : {1001, 1002, 1003}) {
+    const PatchPainter painter(background);
+    Frame frame;
+    std::uint64_t index = 100 * background;
+    for (PatchStep step : pacer::testing::wander(60, Random(background))) {
+      step.visible = false;
+      painter.paint(step, index++, frame);
+      (void)policy.act({frame, {}}, annotations);
+      (void)other.act({frame, {}}, annotations);
+      acted += policy.configurations() > 0 ? 1 : 0;
+      others += other.configurations() > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(others, 10) << "the background matches nothing: no test";
+  EXPECT_LE(acted, others / 5);
+}
+
 TEST(Train, TheReportAddsUp) {
   const auto& [model, report] = trained();
   EXPECT_EQ(report.frames, 600U);

@@ -76,17 +76,22 @@ TEST(BoxResponse, HoldsTheLastActionThenStops) {
   driving.when_lost = {.strategy = "continue", .hold = Seconds{0.4}, .stop_throttle = -0.1};
   BoxResponse response(driving);
   Annotations annotations;
+  Frame frame{.size = {64, 48}};
+  const auto at = [&](double time) -> const Frame& {
+    frame.time = Seconds{time};
+    return frame;
+  };
   const Command stop{.steering = 0.0, .throttle = -0.1};
   const Command seen{.steering = 0.25, .throttle = 0.5};
-  EXPECT_EQ(response.respond(std::nullopt, Seconds{0.0}, annotations), stop);
+  EXPECT_EQ(response.respond(std::nullopt, at(0.0), annotations), stop);
   EXPECT_EQ(annotations.label, "lost: stop");
   EXPECT_EQ(
-      response.respond(Box{.x = 1, .y = 1, .width = 9, .height = 9}, Seconds{1.0}, annotations),
+      response.respond(Box{.x = 1, .y = 1, .width = 9, .height = 9}, at(1.0), annotations),
       seen);
   EXPECT_EQ(annotations.boxes.size(), 1U);
-  EXPECT_EQ(response.respond(std::nullopt, Seconds{1.3}, annotations), seen);
+  EXPECT_EQ(response.respond(std::nullopt, at(1.3), annotations), seen);
   EXPECT_EQ(annotations.label, "lost: last action");
-  EXPECT_EQ(response.respond(std::nullopt, Seconds{1.5}, annotations), stop);
+  EXPECT_EQ(response.respond(std::nullopt, at(1.5), annotations), stop);
 }
 
 TEST(BoxResponse, ABoxThatIsNoneIsALoss) {
@@ -96,7 +101,7 @@ TEST(BoxResponse, ABoxThatIsNoneIsALoss) {
   Annotations annotations;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(
-      response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9}, Seconds{0.0}, annotations),
+      response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9}, Frame{.size = {64, 48}}, annotations),
       Command{});
 }
 
