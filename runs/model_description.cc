@@ -48,9 +48,9 @@ ModelDescription describe(const affordance::Model& model) {
   about.text += fmt::format("learnt from {}\n", model.fingerprint);
   const affordance::Knowledge knowledge = affordance::knowledge_of(model);
   about.text += affordance::to_text(knowledge) + "\n";
-  about.text += fmt::format("features {}; commands answer pictures {} s old\n",
-                            fmt::join(model.config.features.kinds, ", "),
-                            model.config.transactions.lag);
+  about.text +=
+      fmt::format("features {}; commands answer pictures {} s old\n",
+                  fmt::join(model.config.features.kinds, ", "), model.config.transactions.lag);
   nlohmann::ordered_json types = nlohmann::ordered_json::array();
   for (int type = 0; type < model.actions.count(); ++type) {
     const auto index = static_cast<affordance::ActionType>(type);

@@ -72,9 +72,9 @@ std::string learn_supervised(const Scenario& scenario, const std::filesystem::pa
 
 std::string learn_tracker(const Scenario& scenario, const std::filesystem::path& folder,
                           const TrainingOptions& options, baselines::TrainingReport& report) {
-  return baselines::to_bytes(baselines::train_tracker(
-      dataset::MarkedRecording(folder), scenario.affordance.response.loss,
-      chances_of_training(scenario), options, report));
+  return baselines::to_bytes(
+      baselines::train_tracker(dataset::MarkedRecording(folder), scenario.affordance.response.loss,
+                               chances_of_training(scenario), options, report));
 }
 
 const std::vector<Baseline>& all_baselines() {

@@ -136,7 +136,7 @@ class World {
   std::optional<Vehicle> car_;
   std::optional<Vehicle> lead_;
   std::optional<LeadDriver> lead_driver_;  // none where the lead stands
-  std::optional<Gait> gait_;  // where the lead is a person
+  std::optional<Gait> gait_;               // where the lead is a person
   std::optional<Draught> draught_;
   Pulses lead_pulses_;
   std::int64_t step_ = 0;

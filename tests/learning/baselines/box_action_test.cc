@@ -85,9 +85,8 @@ TEST(BoxResponse, HoldsTheLastActionThenStops) {
   const Command seen{.steering = 0.25, .throttle = 0.5};
   EXPECT_EQ(response.respond(std::nullopt, at(0.0), annotations), stop);
   EXPECT_EQ(annotations.label, "lost: stop");
-  EXPECT_EQ(
-      response.respond(Box{.x = 1, .y = 1, .width = 9, .height = 9}, at(1.0), annotations),
-      seen);
+  EXPECT_EQ(response.respond(Box{.x = 1, .y = 1, .width = 9, .height = 9}, at(1.0), annotations),
+            seen);
   EXPECT_EQ(annotations.boxes.size(), 1U);
   EXPECT_EQ(response.respond(std::nullopt, at(1.3), annotations), seen);
   EXPECT_EQ(annotations.label, "lost: last action");
@@ -100,9 +99,9 @@ TEST(BoxResponse, ABoxThatIsNoneIsALoss) {
   BoxResponse response(driving);
   Annotations annotations;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(
-      response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9}, Frame{.size = {64, 48}}, annotations),
-      Command{});
+  EXPECT_EQ(response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9},
+                             Frame{.size = {64, 48}}, annotations),
+            Command{});
 }
 
 }  // namespace
