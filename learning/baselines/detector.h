@@ -5,12 +5,10 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/box.h"
 #include "core/frame.h"
-#include "core/random.h"
 #include "learning/byte_stream.h"
 
 namespace cv::xobjdetect {
@@ -42,6 +40,9 @@ struct WaldBoost {
   [[nodiscard]] static WaldBoost read(ByteReader& in);
 };
 
+/// The side of a window over that of the target in it: its outline is to be seen.
+inline constexpr double kWindowMargin = 1.15;
+
 struct Detection {
   Box box;
   double confidence = 0.0;  ///< the sum of the weak classifiers, the largest of its windows
@@ -68,18 +69,10 @@ class Detector {
   std::vector<double> confidences_;
 };
 
-/// A grey picture that somebody marked.
-struct MarkedPicture {
-  cv::Mat1b grey;
-  std::optional<Box> target;
-};
+/// The picture with a target of `aspect` as wide as it is high.
+void squeeze(const cv::Mat1b& grey, double aspect, cv::Mat1b& squeezed);
 
-/// Learns to tell the target's boxes from the rest of the pictures. OpenCV's trainer reads files:
-/// they are put into a folder of their own, under the system's one for temporary files, and are
-/// gone afterwards. What it prints is discarded; meanwhile nothing else can be printed to
-/// std::cerr. `random` orders the pictures. Throws UsageError when there is too little to learn
-/// from, and std::runtime_error when files cannot be written.
-[[nodiscard]] WaldBoost train_detector(std::span<const MarkedPicture> pictures,
-                                       const Random& random);
+/// What OpenCV learnt.
+[[nodiscard]] std::vector<WaldBoost::Weak> weak_of(const cv::xobjdetect::WBDetector& detector);
 
 }  // namespace pacer::baselines

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "core/check.h"
+#include "learning/baselines/detector_training.h"
 #include "learning/baselines/marked_reading.h"
 
 namespace pacer::baselines {
 namespace {
 
-constexpr std::size_t kMostPictures = 400;  // that the detector learns from
+constexpr std::size_t kMostPictures = 200;  // that the detector learns from
 constexpr std::uint64_t kEvery = 5;         // frames that the map learns from one of
 constexpr double kLowest = 12.0;            // pixels: a lower box shows nothing
 constexpr double kOnTarget = 0.3;           // overlap from which a detection is the target's
@@ -97,7 +98,7 @@ SupervisedModel train_supervised(const MarkedDemonstration& demonstration,
   const MarkedReading reading =
       read_marked(demonstration, options, "pictures", [&](std::size_t episode) -> EpisodeVisit {
         return [&pictures = spread[episode]](const MarkedStep& step) {
-          if (!step.target || step.target->height >= kLowest) pictures.offer(step);
+          if (step.target && step.target->height >= kLowest) pictures.offer(step);
         };
       });
   report.episodes = reading.episodes;
