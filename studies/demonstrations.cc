@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <array>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "dataset/reader.h"
@@ -15,7 +18,7 @@ namespace {
 /// The lead's pose in the picture, as a detector would give it, and what the teacher did: a value
 /// a frame.
 struct Poses {
-  std::vector<double> x, y, width, height;  // pixels, x and y the middle of its box
+  std::vector<double> x, y, width, height;  // pixels; x and y of its box's middle
   std::vector<double> steering, throttle;   // stick
 
   void add(std::span<const double> box, std::span<const double> action) {

@@ -19,6 +19,7 @@ std::vector<Rule> mine(const TransactionIndex& index, ActionType type, const Thr
       index, thresholds, type, jobs, stop,
       [&](std::span<const std::uint32_t> ranks, std::uint32_t count, std::uint32_t holding) {
         Rule& rule = rules.emplace_back(Rule{type, {}, count, holding});
+        rule.items.reserve(ranks.size());
         for (const std::uint32_t rank : ranks) rule.items.push_back(index.item(rank));
         std::sort(rule.items.begin(), rule.items.end());
         return thresholds.min_count;
