@@ -52,6 +52,18 @@ Command ActionClusters::centre(ActionType type) const {
   return {action.x(), action.y()};
 }
 
+bool ActionClusters::one_action() const {
+  constexpr double kTremor = 0.02;
+  Eigen::Array2d least = vector(centre(0)).array();
+  Eigen::Array2d most = least;
+  for (int type = 1; type < count(); ++type) {
+    const Eigen::Array2d action = vector(centre(static_cast<ActionType>(type))).array();
+    least = least.min(action);
+    most = most.max(action);
+  }
+  return (most - least).maxCoeff() < kTremor;
+}
+
 std::vector<std::string> action_names(std::span<const Command> centres) {
   static constexpr const char* kTurns[] = {"left", "straight", "right"};
   const std::vector<Turn> turn = turns(centres);

@@ -36,6 +36,8 @@ struct ActionClusters {
   [[nodiscard]] ActionType assign(const Command& command) const noexcept;
   /// The centre of `type` as a command.
   [[nodiscard]] Command centre(ActionType type) const;
+  /// Whether no two types differ by more than a hand trembles, 0.02 of full stick.
+  [[nodiscard]] bool one_action() const;
 };
 
 /// Clusters `commands` (at least one). Fewer types come back when there are fewer distinct

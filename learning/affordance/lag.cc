@@ -2,6 +2,8 @@
 #include "learning/affordance/lag.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -226,6 +228,24 @@ FoundLag find_lag(const Demonstration& demonstration, const AffordanceConfig& co
     if (found.frames == before) break;
   }
   return found;
+}
+
+SettledLag settle_lag(const Demonstration& demonstration, const AffordanceConfig& config,
+                      const Random& random, const TrainingOptions& options) {
+  config.validate();
+  const double rate_hz = demonstration.frame_rate_hz();
+  SettledLag settled{.frames = 0, .found = {}, .config = config};
+  if (const std::optional<Seconds> given = config.transactions.given_lag()) {
+    settled.frames = static_cast<int>(std::lround(given->count() * rate_hz));
+    return settled;
+  }
+  settled.found = find_lag(demonstration, config, random.fork("lag"), options);
+  settled.frames = settled.found->frames;
+  std::array<char, 32> digits{};
+  const double seconds = static_cast<double>(settled.frames) / rate_hz;
+  settled.config.transactions.lag.assign(
+      digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), seconds).ptr);
+  return settled;
 }
 
 }  // namespace pacer::affordance

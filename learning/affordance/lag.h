@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,18 @@ struct FoundLag {
 /// than two episodes, or too little in them to learn from; and like train().
 [[nodiscard]] FoundLag find_lag(const Demonstration& demonstration, const AffordanceConfig& config,
                                 const Random& random, const TrainingOptions& options = {});
+
+/// The lag to learn with: what the config gives, or what the demonstration shows.
+struct SettledLag {
+  int frames = 0;
+  std::optional<FoundLag> found;  ///< where it was not given
+  AffordanceConfig config;        ///< with the lag in seconds
+};
+
+/// Takes the lag from `config`, or finds it. Throws like find_lag(), and std::invalid_argument when
+/// `config` is not valid.
+[[nodiscard]] SettledLag settle_lag(const Demonstration& demonstration,
+                                    const AffordanceConfig& config, const Random& random,
+                                    const TrainingOptions& options);
 
 }  // namespace pacer::affordance

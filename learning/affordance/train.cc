@@ -2,9 +2,7 @@
 #include "learning/affordance/train.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -29,21 +27,6 @@ struct Survey {
   std::uint64_t counted = 0;      // how many do
   std::uint64_t before = 0;       // how many did in the episodes before
 };
-
-/// Whether no two types of action differ by more than a hand trembles.
-bool one_action(const ActionClusters& actions) {
-  constexpr double kTremor = 0.02;  // of full stick
-  Command least = actions.centre(0);
-  Command most = least;
-  for (int type = 1; type < actions.count(); ++type) {
-    const Command centre = actions.centre(static_cast<ActionType>(type));
-    least = {.steering = std::min(least.steering, centre.steering),
-             .throttle = std::min(least.throttle, centre.throttle)};
-    most = {.steering = std::max(most.steering, centre.steering),
-            .throttle = std::max(most.throttle, centre.throttle)};
-  }
-  return most.steering - least.steering < kTremor && most.throttle - least.throttle < kTremor;
-}
 
 class Trainer {
  public:
@@ -190,7 +173,7 @@ void Trainer::find_action_types() {
   report_.frames = commands.size();
   if (commands.empty()) throw UsageError("the demonstration holds no frames; record some first");
   model_.actions = cluster_actions(commands, config_.actions, random_.fork("action types"));
-  if (one_action(model_.actions)) {
+  if (model_.actions.one_action()) {
     throw UsageError(
         "the demonstration holds one action only, so there is nothing to tell apart; demonstrate "
         "turns and speeds");
@@ -356,58 +339,26 @@ void Trainer::learn_mappings() {
 
 }  // namespace
 
-namespace {
-
-/// The lag to learn with (7.2.2): what the config gives, or what the demonstration shows.
-struct Lag {
-  int frames = 0;
-  std::optional<FoundLag> found;
-  AffordanceConfig settled;  ///< the config with its seconds
-  double seconds = 0.0;      ///< that finding it took
-
-  Lag(const Demonstration& demonstration, const AffordanceConfig& config, const Random& random,
-      const TrainingOptions& options)
-      : settled(config) {
-    config.validate();
-    const double rate_hz = demonstration.frame_rate_hz();
-    const std::optional<Seconds> given = config.transactions.given_lag();
-    if (given) {
-      frames = static_cast<int>(std::lround(given->count() * rate_hz));
-      return;
-    }
-    const auto start = std::chrono::steady_clock::now();
-    found = find_lag(demonstration, config, random.fork("lag"), options);
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    frames = found->frames;
-    settled.transactions.lag = text_of(static_cast<double>(frames) / rate_hz);
-  }
-
-  static std::string text_of(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-  }
-};
-
-}  // namespace
-
 TransactionDatabase transactions_of(const Demonstration& demonstration,
                                     const AffordanceConfig& config, const Random& random,
                                     const TrainingOptions& options) {
-  const Lag lag(demonstration, config, random, options);
-  return Trainer(AnsweredDemonstration(demonstration, lag.frames), lag.settled, random, options)
+  const SettledLag lag = settle_lag(demonstration, config, random, options);
+  return Trainer(AnsweredDemonstration(demonstration, lag.frames), lag.config, random, options)
       .gather();
 }
 
 Training train(const Demonstration& demonstration, const AffordanceConfig& config,
                const Random& random, const TrainingOptions& options) {
-  const Lag lag(demonstration, config, random, options);
+  const auto start = std::chrono::steady_clock::now();
+  const SettledLag lag = settle_lag(demonstration, config, random, options);
+  const std::chrono::duration<double> finding = std::chrono::steady_clock::now() - start;
   const AnsweredDemonstration answered(demonstration, lag.frames);
-  Training training = Trainer(answered, lag.settled, random, options).run();
+  Training training = Trainer(answered, lag.config, random, options).run();
   TrainingReport& report = training.report;
   report.lag = Seconds{static_cast<double>(lag.frames) / demonstration.frame_rate_hz()};
   report.found = lag.found;
   report.knowledge = knowledge_of(training.model);
-  if (lag.found) report.stages.insert(report.stages.begin(), {"lag", lag.seconds});
+  if (lag.found) report.stages.insert(report.stages.begin(), {"lag", finding.count()});
   return training;
 }
 

@@ -74,5 +74,17 @@ TEST(ActionClusters, NamesAreDistinctHoweverTheCentresLie) {
   }
 }
 
+TEST(ActionClusters, AHandThatTremblesDoesOneThing) {
+  Random random(5);
+  std::vector<Command> commands;
+  for (int i = 0; i < 300; ++i) {
+    commands.push_back({0.3 + random.uniform(-0.006, 0.006), 0.2 + random.uniform(-0.006, 0.006)});
+  }
+  EXPECT_TRUE(cluster_actions(commands, {}, Random(1)).one_action());
+  EXPECT_TRUE(cluster_actions({commands.data(), 1}, {}, Random(1)).one_action());
+  for (std::size_t i = 0; i < 100; ++i) commands[i].throttle += 0.05;
+  EXPECT_FALSE(cluster_actions(commands, {}, Random(1)).one_action());
+}
+
 }  // namespace
 }  // namespace pacer::affordance
