@@ -159,7 +159,8 @@ StudyResult study_apriori(const StudyContext& context, report::Page& page) {
 
   const affordance::GeneratedTransactions generated;
   const auto generate = [&](int transactions) {
-    return [&random, generated, transactions]() mutable {
+    return [&random, transactions] {
+      affordance::GeneratedTransactions generated;
       generated.transactions = transactions;
       return affordance::generate_transactions(generated, random.fork("large"));
     };

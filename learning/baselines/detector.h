@@ -48,7 +48,7 @@ struct Detection {
   double confidence = 0.0;  ///< the sum of the weak classifiers, the largest of its windows
 };
 
-/// Looks for the target in pictures: windows of 20.4 to 120 px of height, in 18 steps of 1.1, every
+/// Looks for the target in pictures: windows of 21.6 to 120 px of height, in 19 scales, every
 /// four pixels of the picture at that scale; a detection is a place where more than three such
 /// windows meet. One a thread.
 class Detector {
