@@ -9,7 +9,7 @@ namespace pacer {
 struct KeepingConfig {
   Seconds duration{45.0};       ///< an episode's whole length
   double most_offset = 0.30;    ///< metres, of the car's middle off the lane's, at any time
-  double least_distance = 9.0;  ///< metres along the lane, in all
+  double least_distance = 8.0;  ///< metres along the lane, in all
   Seconds standstill{4.0};      ///< a car that has not got on for so long is stuck
 
   /// Throws std::invalid_argument, naming the field.

@@ -23,9 +23,9 @@ struct LaneTeacherConfig {
   Range ahead{0.70, 0.85};        ///< metres, how far ahead of it lies what it steers to
   Range steering{1.38, 1.62};     ///< stick per radian of that one's bearing
   double wander = 0.03;           ///< metres off the middle, deviation of its liking
-  Range cruise{0.185, 0.215};     ///< stick, straight on
-  double bend = 0.07;             ///< stick less per radian of bearing: slower in bends
-  double least = 0.16;            ///< stick, at least: slower, and a heavy car would stop
+  Range cruise{0.225, 0.25};      ///< stick, straight on
+  double bend = 0.12;             ///< stick less per radian of bearing: slower in bends
+  double least = 0.185;           ///< stick, at least: slower, and a heavy car would stop
   double steering_noise = 0.05;   ///< stick, deviation, coloured
   double throttle_noise = 0.010;  ///< stick, deviation, coloured
   double noise_time = 0.6;        ///< seconds, its correlation

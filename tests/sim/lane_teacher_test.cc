@@ -13,7 +13,6 @@
 #include "sim/lane_boards.h"
 #include "tests/contract/policy_contract.h"
 #include "tests/support/bicycle.h"
-#include "tests/support/chase.h"
 
 namespace pacer::sim {
 namespace {
@@ -135,8 +134,8 @@ struct Drive {
 template <class MakePolicy>
 Drive drive_lane(std::uint64_t seed, MakePolicy&& make_policy, double seconds = 45.0) {
   const Random random = Random(7).fork("course", seed);
-  RoomPlan plan = testing::random_plan(random);
-  plan.half_extent += Eigen::Vector2d(1.2, 1.2);
+  const RoomPlan plan = {
+      .kind = "test", .half_extent = {5.0, 4.5}, .obstacles = {{{0.4, 0.2}, {0.5, 0.35}, 0.4}}};
   const LaneConfig config;
   const Lane lane = lay_lane(config, plan, random);
   const std::vector<Board> boards = stand_boards(lane, config.spacing);
