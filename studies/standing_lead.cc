@@ -111,6 +111,8 @@ json to_json(const Approach& approach) {
           {"path", path}};
 }
 
+Vector2d point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
+
 Approach approach_from(const json& value, std::size_t index) {
   const Case which = case_of(index);
   Approach approach{.room = sim::room_kinds().at(which.room),
@@ -120,9 +122,9 @@ Approach approach_from(const json& value, std::size_t index) {
                     .collided = value["collided"],
                     .rests = value["rests"],
                     .path = {},
-                    .lead = {value["lead"][0], value["lead"][1]},
                     .lead_yaw = value["lead"][2]};
-  for (const json& at : value["path"]) approach.path.emplace_back(at[0], at[1]);
+  approach.lead = point(value["lead"]);
+  for (const json& at : value["path"]) approach.path.push_back(point(at));
   return approach;
 }
 
