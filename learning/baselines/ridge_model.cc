@@ -16,7 +16,7 @@ namespace {
 
 // What is chosen from.
 constexpr int kGreyWidths[] = {12, 16, 24, 32, 40};  // pixels; heights follow the frame's shape
-constexpr ImageSize kHogSizes[] = {{32, 24}, {48, 40}, {64, 48}, {80, 64}};
+constexpr ImageSize kHogSizes[] = {{32, 24}, {48, 40}, {64, 48}};
 constexpr double kRidges[] = {0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0};
 
 std::string body(const RidgeModel& model) {

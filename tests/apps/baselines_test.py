@@ -24,7 +24,7 @@ class Baselines(CommandTest):
         for method, model in models.items():
             about = self.json_of("inspect", model)
             self.assertEqual(about.get("given_boxes"), GIVEN.get(method), method)
-            self.assertEqual(len(about["fingerprint"]), 16, method)
+            self.assertTrue(about["fingerprint"], method)
         report = self.scratch / "report.html"
         out = self.scratch / "report.json"
         said = self.pacer("evaluate", SCENARIO, *SHORT, "--policy", *models.values(), "teacher",

@@ -23,7 +23,8 @@ TEST(TurnSignal, OneFrameThatFiresElsewhereIsASpikeOfItsHeight) {
   const std::vector<double> found = spikes(signal);
   EXPECT_NEAR(found[90], 1.2, 0.1);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (i != 90) EXPECT_LT(found[i], 0.2) << i;
+    if (i == 90) continue;
+    EXPECT_LT(found[i], 0.2) << i;
   }
 }
 
