@@ -157,17 +157,18 @@ StudyResult study_apriori(const StudyContext& context, report::Page& page) {
   const int different_small = differences_from_brute_force(kSmall, random.fork("small"));
   context.control.progress(1, kSteps, "comparisons");
 
-  const affordance::GeneratedTransactions generated;
-  const auto generate = [&](int transactions) {
-    return [&random, generated, transactions]() mutable {
+  const int usual = affordance::GeneratedTransactions{}.transactions;
+  const auto generate = [&random](int transactions) {
+    return [&random, transactions] {
+      affordance::GeneratedTransactions generated;
       generated.transactions = transactions;
       return affordance::generate_transactions(generated, random.fork("large"));
     };
   };
-  const int different_large = types_that_differ_from_level_wise(generate(generated.transactions)(),
-                                                                thesis, context.control.jobs);
+  const int different_large =
+      types_that_differ_from_level_wise(generate(usual)(), thesis, context.control.jobs);
   context.control.progress(2, kSteps, "comparisons");
-  const Timing large = timed_mining(generate(generated.transactions), thesis, context);
+  const Timing large = timed_mining(generate(usual), thesis, context);
   context.control.progress(3, kSteps, "comparisons");
   const Timing million = timed_mining(generate(kMillion), thesis, context);
   context.control.progress(4, kSteps, "comparisons");
