@@ -21,8 +21,9 @@ struct AprioriConfig {
   /// false: only the rules that have no other rule among their subsets, whatever the order of the
   /// search. What holds one of them says nothing new.
   bool grow_confident = true;
-  /// Rules of each action type that train() mines, as many or a few less: it searches for the
-  /// support that gives them, and support_percent means nothing. 0: as support_percent says.
+  /// Rules of each action type that train() mines at most: it searches for the lowest support that
+  /// gives no more, and support_percent means nothing. Fewer come where many rules have the same
+  /// support. 0: as support_percent says.
   int wanted_rules = 0;
 
   /// Throws std::invalid_argument, naming the field.
