@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
 
 #include "core/channels.h"
@@ -44,16 +45,17 @@ TEST(DrivenFrames, CountsPulsesAboveTheDeadZoneOnly) {
   config.world.furnished = config.world.lead = config.world.balloons = false;
   const sim::SimCar car(config, Random(3));
   const sim::Receiver& receiver = car.world().car().speed_controller().receiver();
-  using namespace std::chrono_literals;
+  constexpr Pulse kStep = std::chrono::microseconds{1};
   DrivenFrames frames(car);
   const Pulse edge = receiver.centre + receiver.dead_zone;
-  for (const Pulse pulse : {receiver.centre, edge - 1us, receiver.centre - 200us}) {
-    frames.count({.steering = 1500us, .throttle = pulse});
+  const auto count = [&](Pulse pulse) {
+    frames.count({.steering = std::chrono::microseconds{1500}, .throttle = pulse});
+  };
+  for (const Pulse pulse : {receiver.centre, edge - kStep, receiver.centre - 200 * kStep}) {
+    count(pulse);
   }
   EXPECT_EQ(frames.driven(), 0U);
-  for (const Pulse pulse : {edge + 1us, edge + 100us}) {
-    frames.count({.steering = 1500us, .throttle = pulse});
-  }
+  for (const Pulse pulse : {edge + kStep, edge + 100 * kStep}) count(pulse);
   EXPECT_EQ(frames.driven(), 2U);
   EXPECT_EQ(frames.frames(), 5U);
 }
