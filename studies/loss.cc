@@ -80,19 +80,18 @@ std::vector<Variant> variants_of(const affordance::ResponseConfig& base) {
   };
   const Seconds hold = base.loss.hold;
   const std::string held = fmt::format("{:.1f} s", hold.count());
-  return {{"stop", "stands at once", losing("stop", hold)},
-          {"continue", "the last action for " + held + ", then stands", losing("continue", hold)},
-          {"endless", "the last action until it sees the lead again, as in the thesis",
-           losing("continue", kDuration)},
-          {"search",
-           fmt::format("the last action for {}, full lock for {:.1f} s, then stands", held,
-                       base.loss.search.count()),
-           losing("search", hold)},
-          {"everywhere", "as configured, and looks at the whole image always", looking(0.0)},
-          {"near", "as configured, and looks within half of its range",
-           looking(0.5 * base.search_range)},
-          {"configured",
-           fmt::format("{}, within {:.1f} grids", base.loss.strategy, base.search_range), base}};
+  return {
+      {"stop", "stands at once", losing("stop", hold)},
+      {"continue", "the last action for " + held + ", then stands", losing("continue", hold)},
+      {"search",
+       fmt::format("the last action for {}, full lock for {:.1f} s, then stands", held,
+                   base.loss.search.count()),
+       losing("search", hold)},
+      {"endless", "the last action until it sees the lead again, as in the thesis",
+       losing("continue", kDuration)},
+      {"everywhere", base.loss.strategy + ", and looks at the whole image always", looking(0.0)},
+      {"near", base.loss.strategy + ", and looks within half of the range",
+       looking(0.5 * base.search_range)}};
 }
 
 json drive_one(const Scenario& scenario, const affordance::Model& learnt, const Variant& variant,
@@ -168,7 +167,7 @@ StudyResult study_loss(const StudyContext& context, report::Page& page) {
   const auto named = [&](const char* name) -> const Variant& {
     return *std::ranges::find(variants, name, &Variant::name);
   };
-  const Variant& configured = named("configured");
+  const Variant& configured = named(learnt.config.response.loss.strategy.c_str());
   result.claims = {
       at_most("stop_collided_over_endless", "6.7.1: stopping is the least problematic",
               named("stop").collided().value - named("endless").collided().value, 0.0),
@@ -180,6 +179,7 @@ StudyResult study_loss(const StudyContext& context, report::Page& page) {
               configured.matching_ms() / named("everywhere").matching_ms(), 1.0),
       at_most("losses_over_everywhere", "6.6.2: and costs few losses",
               configured.losses().value - named("everywhere").losses().value, 0.5)};
+  for (const Claim& claim : result.claims) result.figures[claim.name] = claim.measured;
   page.section("When the lead is lost")
       .paragraph(fmt::format(
           "{} episodes of {:.0f} s, the same for every row, behind a lead that is quicker than "
