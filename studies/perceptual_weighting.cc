@@ -46,12 +46,13 @@ Exemplars taught(const StudyContext& context) {
   return all;
 }
 
-/// Figure 5.11's three subsets of the actions, from left to right, of exemplars that show both
-/// balloons, as the thesis's all do.
+/// Figure 5.11's three subsets of the actions, from left to right: clear turns, and nearly none. Of
+/// exemplars that show both balloons, as the thesis's all do.
 using Classes = std::array<std::vector<std::size_t>, kClasses>;
 
 Classes classes_of(const Exemplars& exemplars) {
-  constexpr double kTurn = 0.1;  // stick
+  constexpr double kTurn = 0.4;   // stick, at least
+  constexpr double kAhead = 0.1;  // at most
   const auto seen = [](std::span<const double> balloon) {
     return std::ranges::any_of(balloon, [](double value) { return value != 0.0; });
   };
@@ -63,7 +64,8 @@ Classes classes_of(const Exemplars& exemplars) {
       continue;
     }
     const double turn = exemplars.action(n)[0];
-    members[turn > kTurn ? 0 : turn < -kTurn ? 2 : 1].push_back(n);
+    if (std::abs(turn) <= kAhead) members[1].push_back(n);
+    if (std::abs(turn) >= kTurn) members[turn > 0.0 ? 0 : 2].push_back(n);
   }
   return members;
 }
