@@ -146,10 +146,13 @@ struct InspectCommand {
     fmt::print("{} nodes, {} of them with models, {} deep; tau {}\n",
                hierarchy.tree().nodes().size(), inner, hierarchy.tree().depth(),
                hierarchy.config().tau);
-    const exemplar::Gaussian actions = hierarchy.action_model(0);
     for (const auto& [name, i] : {std::pair("turn", 0), {"drive", 1}}) {
-      fmt::print("{:<6} {:+.2f}, standard deviation {:.2f}\n", name, actions.mean[i],
-                 std::sqrt(actions.covariance(i, i)));
+      fmt::print("{:<6} {:+.2f}", name, hierarchy.action_mean(0)[static_cast<std::size_t>(i)]);
+      if (hierarchy.has_model(0)) {  // of one exemplar there is none
+        fmt::print(", standard deviation {:.2f}",
+                   std::sqrt(hierarchy.action_model(0).covariance(i, i)));
+      }
+      fmt::print("\n");
     }
     if (!sheet.empty()) {
       const Frame drawn = draw_hierarchy(model);

@@ -34,6 +34,13 @@ const cv::Scalar kLine(84, 94, 110);
 const std::array<cv::Scalar, 3> kGroups = {cv::Scalar(88, 166, 255), cv::Scalar(255, 159, 28),
                                            cv::Scalar(188, 140, 255)};
 
+/// A place or a length as whole pixels. Models are read from files, and can hold any numbers:
+/// beyond what a picture can be wide, it is so far outside.
+int pixels(double value) {
+  constexpr double kFar = 16384.0;
+  return std::isnan(value) ? 0 : static_cast<int>(std::lround(std::clamp(value, -kFar, kFar)));
+}
+
 /// Turn and drive as a place on a plot: left is left, and ahead is up.
 class ActionPlot {
  public:
@@ -45,8 +52,8 @@ class ActionPlot {
     most_drive_ = 1.08 * most;
   }
   [[nodiscard]] cv::Point at(double turn, double drive) const {
-    return {static_cast<int>(std::lround(place_.x + 0.5 * (1.0 - turn / kMostTurn) * place_.width)),
-            static_cast<int>(std::lround(place_.y + (1.0 - drive / most_drive_) * place_.height))};
+    return {pixels(place_.x + 0.5 * (1.0 - turn / kMostTurn) * place_.width),
+            pixels(place_.y + (1.0 - drive / most_drive_) * place_.height)};
   }
   [[nodiscard]] double most_drive() const { return most_drive_; }
   static constexpr double kMostTurn = 1.05;
@@ -151,21 +158,19 @@ void draw_node(cv::Mat image, const Hierarchy& hierarchy, NodeId node, double sc
     for (const auto& [blob, colour] : {std::pair(&balloons.green, kGreen), {&balloons.red, kRed}}) {
       if (!*blob) continue;
       const exemplar::Ellipse shape = exemplar::ellipse(**blob);
-      cv::ellipse(layer,
-                  cv::Point(static_cast<int>(std::lround(scale * (*blob)->centroid.x())),
-                            static_cast<int>(std::lround(scale * (*blob)->centroid.y()))),
-                  cv::Size(std::max(2, static_cast<int>(std::lround(scale * shape.major))),
-                           std::max(2, static_cast<int>(std::lround(scale * shape.minor)))),
-                  shape.angle * 180.0 / std::numbers::pi, 0.0, 360.0, colour, cv::FILLED,
-                  cv::LINE_AA);
+      cv::ellipse(
+          layer,
+          cv::Point(pixels(scale * (*blob)->centroid.x()), pixels(scale * (*blob)->centroid.y())),
+          cv::Size(std::max(2, pixels(scale * shape.major)),
+                   std::max(2, pixels(scale * shape.minor))),
+          shape.angle * 180.0 / std::numbers::pi, 0.0, 360.0, colour, cv::FILLED, cv::LINE_AA);
     }
     cv::addWeighted(layer, alpha, view, 1.0 - alpha, 0.0, view);
     const auto action = hierarchy.exemplars().action(members[i]);
     const double angle = action[0] * std::numbers::pi / 3.0;
     const double length = (kArrows - 8) * std::clamp(2.0 * action[1], 0.3, 1.0);
     cv::line(image, foot,
-             foot - cv::Point(static_cast<int>(std::lround(length * std::sin(angle))),
-                              static_cast<int>(std::lround(length * std::cos(angle)))),
+             foot - cv::Point(pixels(length * std::sin(angle)), pixels(length * std::cos(angle))),
              canvas::kInk, 1, cv::LINE_AA);
   }
   canvas::text(image, fmt::format("{}", members.size()), {4, image.rows - 6}, {.height_px = 9});
@@ -179,7 +184,7 @@ Frame draw_hierarchy(const exemplar::Model& model) {
   constexpr int kColumns = 1 << (kLevels - 1);
   constexpr int kNodeWidth = (kWidth - 2 * kMargin - (kColumns - 1) * kGap) / kColumns;
   const double scale = static_cast<double>(kNodeWidth) / model.image_size.width;
-  const int node_height = static_cast<int>(std::lround(scale * model.image_size.height)) + kArrows;
+  const int node_height = pixels(scale * model.image_size.height) + kArrows;
   constexpr int kBetween = 26;
   Frame frame;
   cv::Mat image = canvas::resized(

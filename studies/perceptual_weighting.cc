@@ -203,10 +203,8 @@ Distances measure(const Exemplars& exemplars, const exemplar::HierarchyConfig& c
     if (classes[c].empty()) throw std::runtime_error("perceptual-weighting: nobody turned so");
     // The root of a hierarchy over the group, with the prior of the whole.
     const exemplar::Hierarchy group(exemplars.subset(classes[c]), config, hierarchy.prior());
-    const exemplar::Gaussian model = group.percept_model(0);
     for (std::size_t i = 0; i < kImages; ++i) {
-      distances[c][i] = model.distance(
-          Eigen::Map<const Eigen::VectorXd>(images[i].percept.data(), exemplar::kPerceptSize));
+      distances[c][i] = group.distance(0, images[i].percept);
     }
   }
   return distances;

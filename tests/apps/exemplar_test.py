@@ -2,12 +2,29 @@
 """Learning the percept-action hierarchy from clicks, looking at it, correcting it, driving by it."""
 
 import pathlib
+import struct
 
 from pacer_command import (BAD_USAGE, FAILED, MODEL, SCENARIO, CommandTest, main, settings)
 
 BALLOON = pathlib.Path(SCENARIO).with_name("balloon.yaml")
 NEAR = settings(simulated__camera__width_px=160, simulated__camera__height_px=120,
                 simulated__world__placement__distance_m="[1.2, 2.0]")
+
+
+def of_its_first(model, exemplars):
+    """The bytes of a model, with the first of its exemplars alone."""
+    header = 8 + 4 + 8
+    body = model[header:-8]
+    percepts, actions = 8 * 18, 8 * 2
+    first_action = len(body) - exemplars * actions
+    first_percept = first_action - 8 - exemplars * percepts
+    body = (body[:first_percept - 8]
+            + struct.pack("<Q", 18) + body[first_percept:first_percept + percepts]
+            + struct.pack("<Q", 2) + body[first_action:first_action + actions])
+    checksum = 0xcbf29ce484222325
+    for byte in body:
+        checksum = (checksum ^ byte) * 0x100000001b3 % 2**64
+    return model[:12] + struct.pack("<Q", len(body)) + body + struct.pack("<Q", checksum)
 
 
 class Exemplars(CommandTest):
@@ -33,6 +50,18 @@ class Exemplars(CommandTest):
         found = self.json_of("evaluate", BALLOON, *NEAR, "--policy", corrected, "mean",
                              "--episodes", 2, "--clips", 0)["policies"]
         self.assertGreater(found["more"]["impulses"]["value"], 0.0)
+
+    def test_a_model_of_one_exemplar_is_looked_at_and_driven(self):
+        model = self.learn("clicks", 1)
+        one = self.scratch / "one.model"
+        one.write_bytes(of_its_first(model.read_bytes(),
+                                     self.json_of("inspect", model)["exemplars"]))
+        sheet = self.scratch / "one.png"
+        about = self.json_of("inspect", one, "--sheet", sheet)
+        self.assertEqual((about["exemplars"], about["nodes"], about["models"]), (1, 1, 0))
+        self.assertTrue(sheet.read_bytes().startswith(b"\x89PNG"))
+        self.assertNotIn("deviation", self.pacer("inspect", one).stdout)
+        self.pacer("evaluate", BALLOON, *NEAR, "--policy", one, "--episodes", 1, "--clips", 0)
 
     def test_the_same_clicks_make_the_same_bytes(self):
         one = self.learn("clicks", 1)
