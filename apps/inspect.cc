@@ -124,8 +124,10 @@ struct InspectCommand {
                        {"whole", found.whole()},
                        {"findings", findings}});
     if (!found.whole()) {
-      const bool readable = std::ranges::none_of(
-          found.findings, [](const dataset::Finding& finding) { return finding.where == "meta"; });
+      const bool readable =
+          std::ranges::none_of(found.findings, [](const dataset::Finding& finding) {
+            return finding.where == "meta" || finding.lost;
+          });
       if (readable) {
         fmt::print("not whole; `pacer inspect {} --repair` keeps what is\n", what.string());
       } else {

@@ -20,9 +20,11 @@ void require_whole(const std::filesystem::path& folder) {
   for (const dataset::Finding& finding :
        dataset::inspect(folder, dataset::Depth::kFiles).findings) {
     if (!finding.harms) continue;
-    throw std::runtime_error(fmt::format("{}: {}; `pacer inspect {} --repair` keeps what is whole",
-                                         (folder / finding.where).string(), finding.what,
-                                         folder.string()));
+    const std::string fault =
+        fmt::format("{}: {}", (folder / finding.where).string(), finding.what);
+    if (finding.lost) throw std::runtime_error(fault);
+    throw std::runtime_error(fmt::format("{}; `pacer inspect {} --repair` keeps what is whole",
+                                         fault, folder.string()));
   }
 }
 
