@@ -25,8 +25,7 @@ struct CollectCommand {
     progress.finish();
     fmt::print("{}: {} ({} new), {} recorded in {:.1f} s\n", out.string(),
                counted(report.episodes, "episode"), report.episodes - report.resumed_from,
-               counted(report.frames, "frame"),
-               report.seconds);
+               counted(report.frames, "frame"), report.seconds);
     common.write_json({{"episodes", report.episodes},
                        {"resumed_from", report.resumed_from},
                        {"frames", report.frames},

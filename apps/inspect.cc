@@ -91,8 +91,8 @@ struct InspectCommand {
         dataset::inspect(what, quick ? dataset::Depth::kTables : dataset::Depth::kAll);
     check_scenario(found);
     const dataset::DatasetSummary& summary = found.summary;
-    fmt::print("{}: {}, {}, {:.1f} s of {} x {} at {} Hz, {:.1f} MB\n",
-               what.string(), counted(static_cast<std::uint64_t>(summary.episodes), "episode"),
+    fmt::print("{}: {}, {}, {:.1f} s of {} x {} at {} Hz, {:.1f} MB\n", what.string(),
+               counted(static_cast<std::uint64_t>(summary.episodes), "episode"),
                counted(static_cast<std::uint64_t>(summary.frames), "frame"), summary.seconds,
                summary.image_size.width, summary.image_size.height, summary.rate_hz,
                static_cast<double>(summary.bytes) / 1e6);
@@ -124,10 +124,9 @@ struct InspectCommand {
                        {"whole", found.whole()},
                        {"findings", findings}});
     if (!found.whole()) {
-      const bool readable =
-          std::ranges::none_of(found.findings, [](const dataset::Finding& finding) {
-            return finding.where == "meta" || finding.lost;
-          });
+      const bool readable = std::ranges::none_of(
+          found.findings,
+          [](const dataset::Finding& finding) { return finding.where == "meta" || finding.lost; });
       if (readable) {
         fmt::print("not whole; `pacer inspect {} --repair` keeps what is\n", what.string());
       } else {
@@ -160,8 +159,8 @@ struct InspectCommand {
       inner += hierarchy.has_model(node) ? 1 : 0;
     }
     fmt::print("{}: exemplar model, format {}, {}, for {} x {}\n", what.string(),
-               exemplar::Model::kVersion, counted(hierarchy.exemplars().size(), "exemplar"), model.image_size.width,
-               model.image_size.height);
+               exemplar::Model::kVersion, counted(hierarchy.exemplars().size(), "exemplar"),
+               model.image_size.width, model.image_size.height);
     fmt::print("learnt from {}\n", model.fingerprint);
     fmt::print("{}, {} of them with models, {} deep; tau {}\n",
                counted(hierarchy.tree().nodes().size(), "node"), inner, hierarchy.tree().depth(),

@@ -67,11 +67,11 @@ struct TrainCommand {
   void require_demonstrated(const Scenario& scenario) const {
     const bool by_impulses = method == "exemplar";
     if ((scenario.what_for() == Goal::kReach) == by_impulses) return;
-    throw UsageError(fmt::format(
-        "{}: was recorded with goal: {}, and {} learns from goal: {}; collect it with "
-        "scenarios/{}.yaml, or train {}",
-        dataset.string(), scenario.goal, method, by_impulses ? "reach" : "follow",
-        by_impulses ? "balloon" : "follow", by_impulses ? "affordance" : "exemplar"));
+    throw UsageError(
+        fmt::format("{}: was recorded with goal: {}, and {} learns from goal: {}; collect it with "
+                    "scenarios/{}.yaml, or train {}",
+                    dataset.string(), scenario.goal, method, by_impulses ? "reach" : "follow",
+                    by_impulses ? "balloon" : "follow", by_impulses ? "affordance" : "exemplar"));
   }
 
   template <class Report>
@@ -95,9 +95,7 @@ void add_train(CLI::App& app, const std::stop_token& stop) {
       ->required()
       ->check(CLI::IsMember({"affordance", "exemplar"}));
   command->add_option("DATASET", options->dataset, "Folder of the dataset")->required();
-  command->add_option("--out", options->out, "File of the model")
-      ->required()
-      ->check(model_file());
+  command->add_option("--out", options->out, "File of the model")->required()->check(model_file());
   command
       ->add_option("--onto", options->onto,
                    "exemplar: a model that the dataset's exemplars are added to, as corrections")

@@ -37,7 +37,8 @@ const char* advice(int error, std::string_view what) {
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
   const int error = errno;
   throw std::runtime_error(fmt::format("{}: cannot {}: {}{}", path.string(), what,
-                                       std::generic_category().message(error), advice(error, what)));
+                                       std::generic_category().message(error),
+                                       advice(error, what)));
 }
 
 /// An open file that closes itself.

@@ -157,10 +157,11 @@ void draw_actions(cv::Mat& image, const Hierarchy& hierarchy, const std::vector<
   constexpr int kAxis = 22;
   const cv::Rect place(kMargin, kMargin + 24, kWidth - 2 * kMargin, kPlot - kAxis - 24);
   const ActionPlot plot(hierarchy, groups, place);
-  canvas::text(image,
-               "actions: turn (left is left, 1 is full stick) and drive (up is ahead); lines: where "
-               "the tree cuts them",
-               {kMargin, 20}, {.height_px = 11});
+  canvas::text(
+      image,
+      "actions: turn (left is left, 1 is full stick) and drive (up is ahead); lines: where "
+      "the tree cuts them",
+      {kMargin, 20}, {.height_px = 11});
   int x = kMargin;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::string entry =
@@ -252,14 +253,13 @@ Frame draw_hierarchy(const exemplar::Model& model) {
   image.setTo(canvas::kBackground);
   const std::vector<NodeId> groups = three_groups(hierarchy.tree());
   draw_actions(image, hierarchy, groups);
-  canvas::text(image,
-               fmt::format("percepts: what each node has seen, red and green balloons of its "
-                           "exemplars; below them their number and their actions; levels 0 to {} of "
-                           "0 to {}",
-                           std::min(kLevels - 1, hierarchy.tree().depth()),
-                           hierarchy.tree().depth()),
-               {kMargin, kPlot + kMargin + 8},
-               {.height_px = 11, .most_width_px = kWidth - 2 * kMargin});
+  canvas::text(
+      image,
+      fmt::format("percepts: what each node has seen, red and green balloons of its "
+                  "exemplars; below them their number and their actions; levels 0 to {} of "
+                  "0 to {}",
+                  std::min(kLevels - 1, hierarchy.tree().depth()), hierarchy.tree().depth()),
+      {kMargin, kPlot + kMargin + 8}, {.height_px = 11, .most_width_px = kWidth - 2 * kMargin});
 
   std::vector<NodeId> level = {0};
   for (int depth = 0; depth < kLevels; ++depth) {

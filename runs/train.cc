@@ -23,8 +23,8 @@ void require_whole(const std::filesystem::path& folder) {
     const std::string fault =
         fmt::format("{}: {}", (folder / finding.where).string(), finding.what);
     if (finding.lost) throw std::runtime_error(fault);
-    throw std::runtime_error(fmt::format("{}; `pacer inspect {} --repair` keeps what is whole",
-                                         fault, folder.string()));
+    throw std::runtime_error(
+        fmt::format("{}; `pacer inspect {} --repair` keeps what is whole", fault, folder.string()));
   }
 }
 
@@ -35,8 +35,7 @@ TrainingOptions options_of(const Scenario& scenario, const RunControl& control) 
   options.stop = control.stop;
   options.progress = [&control](std::string_view stage, double share) {
     constexpr double kWhole = 100.0;
-    control.progress(static_cast<std::uint64_t>(share * kWhole), 100,
-                     fmt::format("{}, %", stage));
+    control.progress(static_cast<std::uint64_t>(share * kWhole), 100, fmt::format("{}, %", stage));
   };
   return options;
 }
@@ -51,9 +50,10 @@ exemplar::Model growing(const std::filesystem::path& file, const Demonstration& 
         fmt::format("--onto {}: not an exemplar model, and only those grow", file.string()));
   }
   if ((*found)->fingerprint.find(more.fingerprint()) != std::string::npos) {
-    throw UsageError(fmt::format("--onto {}: has learnt from {} already; collect another dataset, "
-                                 "with another seed",
-                                 file.string(), folder.string()));
+    throw UsageError(
+        fmt::format("--onto {}: has learnt from {} already; collect another dataset, "
+                    "with another seed",
+                    file.string(), folder.string()));
   }
   return **found;
 }
@@ -72,7 +72,9 @@ affordance::TrainingReport train_affordance(const Scenario& scenario,
   return training.report;
 }
 
-ExemplarTraining train_exemplar(const Scenario& scenario, const std::filesystem::path& folder, const std::filesystem::path& onto, const std::filesystem::path& file, const RunControl& control) {
+ExemplarTraining train_exemplar(const Scenario& scenario, const std::filesystem::path& folder,
+                                const std::filesystem::path& onto,
+                                const std::filesystem::path& file, const RunControl& control) {
   require_whole(folder);
   const dataset::RecordedDemonstration demonstration(folder);
   const TrainingOptions options = options_of(scenario, control);

@@ -27,10 +27,8 @@ struct ExemplarTraining {
 /// Learns the percept-action hierarchy (chapter 5) likewise. With a model in `onto`, that one grows
 /// by the exemplars of the dataset, as by a teacher's corrections, and keeps its settings; throws
 /// UsageError where it is of another kind or has learnt from the dataset already.
-ExemplarTraining train_exemplar(const Scenario& scenario,
-                                        const std::filesystem::path& folder,
-                                        const std::filesystem::path& onto,
-                                        const std::filesystem::path& file,
-                                        const RunControl& control);
+ExemplarTraining train_exemplar(const Scenario& scenario, const std::filesystem::path& folder,
+                                const std::filesystem::path& onto,
+                                const std::filesystem::path& file, const RunControl& control);
 
 }  // namespace pacer

@@ -10,10 +10,11 @@
 namespace pacer {
 
 std::string to_text(const affordance::TrainingReport& report) {
-  std::string text = fmt::format(
-      "{}, {}, {} of them new; {} features; {} transactions of {:.1f} items\n",
-      counted(report.episodes, "episode"), counted(report.frames, "frame"), report.frames_counted, report.features, report.transactions,
-      static_cast<double>(report.items) / static_cast<double>(report.transactions));
+  std::string text =
+      fmt::format("{}, {}, {} of them new; {} features; {} transactions of {:.1f} items\n",
+                  counted(report.episodes, "episode"), counted(report.frames, "frame"),
+                  report.frames_counted, report.features, report.transactions,
+                  static_cast<double>(report.items) / static_cast<double>(report.transactions));
   for (const affordance::TrainingReport::Type& type : report.types) {
     text += fmt::format(
         "  {:<16} steering {:+.2f} throttle {:+.2f}: {} frames, {} rules mined, {} chosen, {} kept",
@@ -66,10 +67,10 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
 
 std::string to_text(const ExemplarTraining& training) {
   const exemplar::TrainingReport& report = training.report;
-  std::string text = fmt::format(
-      "{}, {}: {}, the red balloon in view in {}, the green one in {}\n",
-      counted(report.episodes, "episode"), counted(report.frames, "frame"),
-      counted(report.exemplars, "exemplar"), report.red_seen, report.green_seen);
+  std::string text =
+      fmt::format("{}, {}: {}, the red balloon in view in {}, the green one in {}\n",
+                  counted(report.episodes, "episode"), counted(report.frames, "frame"),
+                  counted(report.exemplars, "exemplar"), report.red_seen, report.green_seen);
   if (report.disturbed > 0) {
     text += fmt::format("{} left out, since interference covered the picture\n",
                         counted(report.disturbed, "impulse"));
@@ -83,16 +84,11 @@ std::string to_text(const ExemplarTraining& training) {
 
 nlohmann::ordered_json to_json(const ExemplarTraining& training) {
   const exemplar::TrainingReport& report = training.report;
-  return {{"episodes", report.episodes},
-          {"frames", report.frames},
-          {"exemplars", report.exemplars},
-          {"onto", training.onto},
-          {"disturbed", report.disturbed},
-          {"red_seen", report.red_seen},
-          {"green_seen", report.green_seen},
-          {"nodes", report.nodes},
-          {"depth", report.depth},
-          {"seconds", {{"whole", report.seconds}}}};
+  return {{"episodes", report.episodes},     {"frames", report.frames},
+          {"exemplars", report.exemplars},   {"onto", training.onto},
+          {"disturbed", report.disturbed},   {"red_seen", report.red_seen},
+          {"green_seen", report.green_seen}, {"nodes", report.nodes},
+          {"depth", report.depth},           {"seconds", {{"whole", report.seconds}}}};
 }
 
 }  // namespace pacer

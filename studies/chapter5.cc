@@ -96,8 +96,7 @@ ImpulseRatio impulses_over(const PolicyEvaluation& policy, const PolicyEvaluatio
     of_teacher += other.impulses;
     ++ratio.shared;
   }
-  ratio.over =
-      ratio.shared == 0 ? std::numeric_limits<double>::infinity() : impulses / of_teacher;
+  ratio.over = ratio.shared == 0 ? std::numeric_limits<double>::infinity() : impulses / of_teacher;
   return ratio;
 }
 

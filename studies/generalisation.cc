@@ -27,8 +27,9 @@ struct Errors {
 };
 
 /// Each held-out exemplar is a first percept, without one before.
-Errors errors_on(const Exemplars& exemplars, const chapter5::Split& split, const std::vector<double>& taus,
-                 const exemplar::HierarchyConfig& config, const Random& random) {
+Errors errors_on(const Exemplars& exemplars, const chapter5::Split& split,
+                 const std::vector<double>& taus, const exemplar::HierarchyConfig& config,
+                 const Random& random) {
   const Exemplars trained = exemplars.subset(split.trained);
   const exemplar::Hierarchy hierarchy(trained, config);
   exemplar::Searcher searcher(hierarchy);
@@ -112,8 +113,9 @@ StudyResult study_generalisation(const StudyContext& context, report::Page& page
   for (int split = 0; split < kSplits; ++split) {
     if (context.control.stop.stop_requested()) throw StudyStopped();
     const Random of_split = random.fork("split", static_cast<std::uint64_t>(split));
-    const Errors errors = errors_on(exemplars, chapter5::draw_split(exemplars.size(), kTrained, of_split), taus, config,
-                                    of_split.fork("responses"));
+    const Errors errors =
+        errors_on(exemplars, chapter5::draw_split(exemplars.size(), kTrained, of_split), taus,
+                  config, of_split.fork("responses"));
     if (split == 0) first = errors;
     add(errors, mean);
     context.control.progress(static_cast<std::uint64_t>(split) + 1, kSplits, "splits");

@@ -103,11 +103,12 @@ StudyResult study_output_clustering(const StudyContext& context, report::Page& p
 
   // How much of each number's variance is left within the clusters.
   const auto actions_within = [&](const std::vector<std::size_t>& labels) {
-    return 0.5 *
-           (chapter5::spread_within(set.actions, 2, 0, labels) + chapter5::spread_within(set.actions, 2, 1, labels));
+    return 0.5 * (chapter5::spread_within(set.actions, 2, 0, labels) +
+                  chapter5::spread_within(set.actions, 2, 1, labels));
   };
-  const double position_by_action = std::max(chapter5::spread_within(set.percepts, 3, 0, by_action),
-                                             chapter5::spread_within(set.percepts, 3, 1, by_action));
+  const double position_by_action =
+      std::max(chapter5::spread_within(set.percepts, 3, 0, by_action),
+               chapter5::spread_within(set.percepts, 3, 1, by_action));
   const double colour_by_action = chapter5::spread_within(set.percepts, 3, 2, by_action);
   StudyResult result;
   result.figures = {
@@ -139,17 +140,19 @@ StudyResult study_output_clustering(const StudyContext& context, report::Page& p
   }
   const report::Palette palette(names);
   page.lead().paragraph(
-      "A percept is three numbers: position x, position y and colour. Panels (a) and (d) draw x and "
+      "A percept is three numbers: position x, position y and colour. Panels (a) and (d) draw x "
+      "and "
       "colour; y is not drawn, so that clusters which differ in y alone lie in the same spot. "
-      "Panels (a) and (b) show the clusters of the percepts, (c) and (d) those of the actions: these "
+      "Panels (a) and (b) show the clusters of the percepts, (c) and (d) those of the actions: "
+      "these "
       "are other clusters, with colours of their own.");
   page.section("Figure 5.4: clustering percepts, and clustering actions")
       .chart(scatter(set.percepts, 3, 0, 2, {"position x", "colour"}, by_percept, kOfPercepts,
                      palette, "(a) Clusters of the percepts, in the percepts."))
       .chart(scatter(set.actions, 2, 0, 1, {"action 1", "action 2"}, by_percept, kOfPercepts,
                      palette, "(b) The same clusters, in the actions: they overlap."))
-      .chart(scatter(set.actions, 2, 0, 1, {"action 1", "action 2"}, by_action, kOfActions,
-                     palette, "(c) Clusters of the actions, in the actions."))
+      .chart(scatter(set.actions, 2, 0, 1, {"action 1", "action 2"}, by_action, kOfActions, palette,
+                     "(c) Clusters of the actions, in the actions."))
       .chart(scatter(set.percepts, 3, 0, 2, {"position x", "colour"}, by_action, kOfActions,
                      palette,
                      "(d) The same clusters, in the percepts: one place, whatever the colour. Two "

@@ -119,9 +119,9 @@ StudyResult study_recall_efficiency(const StudyContext& context, report::Page& p
   std::vector<std::string> names;
   for (const report::Series& line : lines) names.push_back(line.name);
   page.section("Recall and efficiency (Figure 5.14)")
-      .chart({.spec = report::line_chart(lines, {.title = "tau"},
-                                         {.title = "share", .limits = Range{0.0, 1.0}},
-                                         report::Palette(names), {.height_px = 340, .legend_columns = 3}),
+      .chart({.spec = report::line_chart(
+                  lines, {.title = "tau"}, {.title = "share", .limits = Range{0.0, 1.0}},
+                  report::Palette(names), {.height_px = 340, .legend_columns = 3}),
               .caption = fmt::format(
                   "{} exemplars, each looked for in the hierarchy that was built of all of them. "
                   "Recall: found again exactly. Efficiency: nodes that the search did not look at. "

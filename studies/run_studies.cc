@@ -57,7 +57,8 @@ report::Row row_of(const std::string& study, const ordered_json& claim) {
   const ordered_json& measured = claim["measured"];  // null in a file where it was not finite
   return {
       .cells = {study, claim["name"].get<std::string>(), claim["thesis"].get<std::string>(),
-                claim["bound"].get<std::string>(), measured.is_number() ? measured.get<double>() : NAN,
+                claim["bound"].get<std::string>(),
+                measured.is_number() ? measured.get<double>() : NAN,
                 claim["holds"].get<bool>() ? report::Verdict::kHolds : report::Verdict::kShort}};
 }
 

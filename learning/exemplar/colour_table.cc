@@ -50,9 +50,10 @@ void ColourTableConfig::validate() const {
   require(grain >= 0.0 && grain <= 1.0, "grain: must lie in [0, 1]");
   require(dark >= 0.0 && dark <= 10.0, "dark: must lie in [0, 10]");
   require(mixed >= 0.0 && mixed <= 1.0, "mixed: must lie in [0, 1]");
-  require(least_distance(red_balloon, green_balloon) > 2.0 * tolerance,
-          "green_balloon: is too like red_balloon, by its shares of red, green and blue, to be told "
-          "from it");
+  require(
+      least_distance(red_balloon, green_balloon) > 2.0 * tolerance,
+      "green_balloon: is too like red_balloon, by its shares of red, green and blue, to be told "
+      "from it");
 }
 
 ColourTable::ColourTable(const ColourTableConfig& config) : config_(config) {
