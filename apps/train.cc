@@ -3,8 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "apps/command.h"
 #include "apps/terminal_progress.h"
+#include "core/check.h"
 #include "dataset/reader.h"
 #include "runs/training_report.h"
 
@@ -20,9 +25,11 @@ struct TrainCommand {
 
   void run(const std::stop_token& stop) const {
     keep_apart({dataset, onto}, {out, common.json});
-    const dataset::Dataset recorded(dataset);
+    require_settings_of_learning();
     const std::string source = (dataset / "meta" / "scenario.yaml").string();
-    const Scenario scenario = parse_scenario(recorded.scenario(), source, common.overrides());
+    const std::string recorded = dataset::Dataset(dataset).scenario();
+    const Scenario scenario = parse_scenario(recorded, source, common.overrides());
+    if (!recorded.empty()) require_demonstrated(scenario);
     RunControl control = common.control(stop);
     TerminalProgress progress;
     control.progress = progress.callback();
@@ -39,6 +46,34 @@ struct TrainCommand {
   }
 
  private:
+  /// What was recorded cannot be set any more, and what a model keeps neither.
+  void require_settings_of_learning() const {
+    if (!onto.empty() && !common.set.empty()) {
+      throw UsageError(fmt::format("--set {}: {} keeps its settings as it grows; leave --set out",
+                                   common.set.front(), onto.string()));
+    }
+    constexpr std::array<std::string_view, 3> kLearnt = {"affordance", "exemplar", "seed"};
+    for (const std::string& assignment : common.set) {
+      const std::string key = assignment.substr(0, assignment.find_first_of(".="));
+      if (std::ranges::find(kLearnt, key) != kLearnt.end()) continue;
+      throw UsageError(
+          fmt::format("--set {}: {} was recorded like this; only affordance.*, exemplar.* and seed "
+                      "can be set to learn from it",
+                      assignment, dataset.string()));
+    }
+  }
+
+  /// Throws where the teacher showed something else than `method` learns.
+  void require_demonstrated(const Scenario& scenario) const {
+    const bool by_impulses = method == "exemplar";
+    if ((scenario.what_for() == Goal::kReach) == by_impulses) return;
+    throw UsageError(
+        fmt::format("{}: was recorded with goal: {}, and {} learns from goal: {}; collect it with "
+                    "scenarios/{}.yaml, or train {}",
+                    dataset.string(), scenario.goal, method, by_impulses ? "reach" : "follow",
+                    by_impulses ? "balloon" : "follow", by_impulses ? "affordance" : "exemplar"));
+  }
+
   template <class Report>
   void tell(const Report& report, const char* scenario) const {
     fmt::print("{}", to_text(report));
@@ -60,9 +95,7 @@ void add_train(CLI::App& app, const std::stop_token& stop) {
       ->required()
       ->check(CLI::IsMember({"affordance", "exemplar"}));
   command->add_option("DATASET", options->dataset, "Folder of the dataset")->required();
-  command->add_option("--out", options->out, "File of the model")
-      ->required()
-      ->check(writable_file());
+  command->add_option("--out", options->out, "File of the model")->required()->check(model_file());
   command
       ->add_option("--onto", options->onto,
                    "exemplar: a model that the dataset's exemplars are added to, as corrections")
@@ -70,8 +103,8 @@ void add_train(CLI::App& app, const std::stop_token& stop) {
   options->common.add_to(*command);
   command->footer(
       "Example: pacer train affordance out/drives --out out/follow.model\n"
-      "         pacer train exemplar out/balloon --out out/balloon.model\n"
-      "The scenario is the one recorded with the dataset; --set changes it.");
+      "         pacer train exemplar out/clicks --out out/balloon.model\n"
+      "The scenario is the one recorded with the dataset; --set changes how it is learnt.");
   command->callback([options, stop] { options->run(stop); });
 }
 

@@ -44,6 +44,10 @@ class PolicySource {
  private:
   struct Teacher {};
 
+  /// Gives each a name of its own: what has the name of one before it, or a file that of a policy
+  /// which is none, gains a number.
+  static void number(std::vector<PolicySource>& sources);
+
   std::string name_;
   std::variant<Command, Teacher, std::shared_ptr<const affordance::Model>,
                std::shared_ptr<const exemplar::Model>>

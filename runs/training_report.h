@@ -5,16 +5,16 @@
 #include <string>
 
 #include "learning/affordance/train.h"
-#include "learning/exemplar/train.h"
+#include "runs/train.h"
 
 namespace pacer {
 
 /// What training did, as a few lines for a person.
 [[nodiscard]] std::string to_text(const affordance::TrainingReport& report);
-[[nodiscard]] std::string to_text(const exemplar::TrainingReport& report);
+[[nodiscard]] std::string to_text(const ExemplarTraining& training);
 
 /// The same for `--json`; measured times lie under "seconds" alone.
 [[nodiscard]] nlohmann::ordered_json to_json(const affordance::TrainingReport& report);
-[[nodiscard]] nlohmann::ordered_json to_json(const exemplar::TrainingReport& report);
+[[nodiscard]] nlohmann::ordered_json to_json(const ExemplarTraining& training);
 
 }  // namespace pacer
