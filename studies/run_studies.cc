@@ -58,7 +58,7 @@ report::Row row_of(const std::string& study, const ordered_json& claim) {
   return {
       .cells = {study, claim["name"].get<std::string>(), claim["thesis"].get<std::string>(),
                 claim["bound"].get<std::string>(),
-                measured.is_number() ? measured.get<double>() : NAN,
+                measured.is_number() ? measured.get<double>() : std::nan(""),
                 claim["holds"].get<bool>() ? report::Verdict::kHolds : report::Verdict::kShort}};
 }
 

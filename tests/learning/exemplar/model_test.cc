@@ -182,13 +182,15 @@ TEST(ModelFile, IsOfPicturesThatThereCanBe) {
 
 TEST(ModelFile, HasADriftThatCanBeInverted) {
   Model model = random_model(2);
+  const auto drift_of = [](double a, double b, double c, double d) {
+    Eigen::Matrix2d drift;
+    drift << a, b, c, d;
+    return drift;
+  };
   for (const Eigen::Matrix2d& drift :
-       std::initializer_list<Eigen::Matrix2d>{{{0.0, 0.0}, {0.0, 0.1}},
-                                              {{-0.1, 0.0}, {0.0, -0.1}},
-                                              {{0.1, 0.05}, {-0.05, 0.1}},
-                                              {{1e-200, 0.0}, {0.0, 1e-100}},
-                                              {{1e200, 0.0}, {0.0, 1e100}},
-                                              {{std::nan(""), 0.0}, {0.0, 0.1}}}) {
+       {drift_of(0.0, 0.0, 0.0, 0.1), drift_of(-0.1, 0.0, 0.0, -0.1),
+        drift_of(0.1, 0.05, -0.05, 0.1), drift_of(1e-200, 0.0, 0.0, 1e-100),
+        drift_of(1e200, 0.0, 0.0, 1e100), drift_of(std::nan(""), 0.0, 0.0, 0.1)}) {
     model.drift = drift;
     EXPECT_NE(failure(to_bytes(model)).find("drift"), std::string::npos) << drift;
   }

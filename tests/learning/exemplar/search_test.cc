@@ -83,7 +83,8 @@ TEST(Search, AnswersTheRootWhenNotEvenThatMatches) {
   const std::vector<double> percept = {60.0, 6e4, 60.0};
   const Found& found = searcher.find(percept, 1.0);
   EXPECT_FALSE(found.matched);
-  EXPECT_NEAR(found.best.distance, hierarchy.distance(0, percept), 1e-3 * found.best.distance)
+  const double distance = hierarchy.distance(0, percept);
+  EXPECT_NEAR(found.best.distance, distance, 1e-3 * distance)
       << "all of it, and not as much as tells that it is too far";
   EXPECT_EQ(found.best.node, 0U);
   EXPECT_TRUE(found.candidates.empty());
