@@ -25,11 +25,17 @@ struct TrainCommand {
 
   void run(const std::stop_token& stop) const {
     keep_apart({dataset, onto}, {out, common.json});
-    require_settings_of_learning();
+    if (!onto.empty() && !common.set.empty()) {
+      throw UsageError(fmt::format("--set {}: {} keeps its settings as it grows; leave --set out",
+                                   common.set.front(), onto.string()));
+    }
     const std::string source = (dataset / "meta" / "scenario.yaml").string();
     const std::string recorded = dataset::Dataset(dataset).scenario();
     const Scenario scenario = parse_scenario(recorded, source, common.overrides());
-    if (!recorded.empty()) require_demonstrated(scenario);
+    if (!recorded.empty()) {
+      require_as_recorded(scenario, parse_scenario(recorded, source));
+      require_demonstrated(scenario);
+    }
     RunControl control = common.control(stop);
     TerminalProgress progress;
     control.progress = progress.callback();
@@ -46,21 +52,22 @@ struct TrainCommand {
   }
 
  private:
-  /// What was recorded cannot be set any more, and what a model keeps neither.
-  void require_settings_of_learning() const {
-    if (!onto.empty() && !common.set.empty()) {
-      throw UsageError(fmt::format("--set {}: {} keeps its settings as it grows; leave --set out",
-                                   common.set.front(), onto.string()));
-    }
-    constexpr std::array<std::string_view, 3> kLearnt = {"affordance", "exemplar", "seed"};
-    for (const std::string& assignment : common.set) {
-      const std::string key = assignment.substr(0, assignment.find_first_of(".="));
-      if (std::ranges::find(kLearnt, key) != kLearnt.end()) continue;
-      throw UsageError(
-          fmt::format("--set {}: {} was recorded like this; only affordance.*, exemplar.* and seed "
-                      "can be set to learn from it",
-                      assignment, dataset.string()));
-    }
+  /// What was recorded cannot be set any more; how it is learnt can.
+  void require_as_recorded(Scenario wanted, const Scenario& recorded) const {
+    wanted.affordance = recorded.affordance;
+    wanted.exemplar = recorded.exemplar;
+    wanted.seed = recorded.seed;
+    if (to_yaml(wanted) == to_yaml(recorded)) return;
+    const auto is_of_recording = [](const std::string& assignment) {
+      constexpr std::array<std::string_view, 3> kLearnt = {"affordance", "exemplar", "seed"};
+      return std::ranges::find(kLearnt, assignment.substr(0, assignment.find_first_of(".="))) ==
+             kLearnt.end();
+    };
+    const auto named = std::ranges::find_if(common.set, is_of_recording);
+    throw UsageError(
+        fmt::format("--set {}: {} was recorded otherwise; only affordance.*, exemplar.* and seed "
+                    "can be set to learn from it",
+                    named == common.set.end() ? "" : *named, dataset.string()));
   }
 
   /// Throws where the teacher showed something else than `method` learns.

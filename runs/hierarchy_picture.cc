@@ -23,10 +23,11 @@ using exemplar::NodeId;
 namespace canvas = report::canvas;
 
 constexpr int kWidth = 1280;
-constexpr int kMargin = 44;  // room for the numbers of the axes
-constexpr int kPlot = 400;   // height of the actions
-constexpr int kLevels = 4;   // of nodes, the root's included
-constexpr int kArrows = 34;  // height of a node's strip of actions
+constexpr int kMargin = 44;   // room for the numbers of the axes
+constexpr int kPlot = 400;    // height of the actions
+constexpr int kCaption = 18;  // from their axis to the middle of the percepts' caption
+constexpr int kLevels = 4;    // of nodes, the root's included
+constexpr int kArrows = 34;   // height of a node's strip of actions
 constexpr int kGap = 10;
 const cv::Scalar kRed(232, 72, 72);
 const cv::Scalar kGreen(72, 190, 96);
@@ -176,9 +177,7 @@ void draw_actions(cv::Mat& image, const Hierarchy& hierarchy, const std::vector<
     cv::circle(image, {x + 5, 40}, 5, kGroups[g], cv::FILLED, cv::LINE_AA);
     x += 34 + canvas::text(image, entry, {x + 16, 45}, {.height_px = 10});
   }
-  canvas::text(image,
-               "dots: its actions; ellipse: its action model, two standard deviations; its node "
-               "below has a frame of its colour",
+  canvas::text(image, "dots: its actions; ellipse: two standard deviations; below, its frame",
                {x, 45}, {.height_px = 10, .most_width_px = kWidth - kMargin - x});
   draw_cuts(image, plot, hierarchy.tree(), 0,
             {.low = {-plot.most_turn(), plot.least_drive()},
@@ -252,22 +251,22 @@ Frame draw_hierarchy(const exemplar::Model& model) {
   constexpr int kBetween = 26;
   Frame frame;
   cv::Mat image = canvas::resized(
-      frame,
-      {.width = kWidth, .height = kPlot + kMargin + 24 + kLevels * (node_height + kBetween)});
+      frame, {.width = kWidth,
+              .height = kPlot + kMargin + kCaption + 16 + kLevels * (node_height + kBetween)});
   image.setTo(canvas::kBackground);
   const std::vector<NodeId> groups = three_groups(hierarchy.tree());
   draw_actions(image, hierarchy, groups);
   canvas::text(
       image,
-      fmt::format("percepts: what each node has seen, red and green balloons of its "
-                  "exemplars; below them their number and their actions; levels 0 to {} of "
-                  "0 to {}",
+      fmt::format("percepts: the balloons that each node's exemplars saw; their number, and "
+                  "what was done; levels 0 to {} of {}",
                   std::min(kLevels - 1, hierarchy.tree().depth()), hierarchy.tree().depth()),
-      {kMargin, kPlot + kMargin + 8}, {.height_px = 11, .most_width_px = kWidth - 2 * kMargin});
+      {kMargin, kPlot + kMargin + kCaption},
+      {.height_px = 11, .most_width_px = kWidth - 2 * kMargin});
 
   std::vector<NodeId> level = {0};
   for (int depth = 0; depth < kLevels; ++depth) {
-    const int y = kPlot + kMargin + 24 + depth * (node_height + kBetween);
+    const int y = kPlot + kMargin + kCaption + 16 + depth * (node_height + kBetween);
     const auto middle = [&](std::size_t i, int levels_down) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(1 << levels_down);
       return kMargin + static_cast<int>(share * (kWidth - 2 * kMargin));

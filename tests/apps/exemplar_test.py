@@ -99,7 +99,7 @@ class Exemplars(CommandTest):
         model = self.learn("clicks", 1)
         clicks = self.scratch / "clicks-clicks"
         out = self.scratch / "x.model"
-        for setting in ["simulated.camera.width_px=640", "impulses.move_s=10", "goal=follow"]:
+        for setting in ["simulated.camera.width_px=640", "impulses.move_s=10"]:
             self.assertIn(setting, self.refusal("train", "exemplar", clicks, "--out", out, "--set",
                                                 setting, status=BAD_USAGE))
         self.assertIn("keeps its settings", self.refusal(
@@ -120,7 +120,8 @@ class Exemplars(CommandTest):
         had = self.json_of("inspect", model)["exemplars"]
         more = self.scratch / "more"
         self.pacer("collect", BALLOON, "--out", more, "--episodes", 1, "--seed", 2, *NEAR)
-        said = self.pacer("train", "exemplar", more, "--onto", model, "--out", model).stdout
+        said = self.pacer("train", "exemplar", more, "--onto", model, "--out",
+                          self.scratch / "grown.model").stdout
         self.assertRegex(said, rf"added \d+ exemplars? to {had}\b")
 
     def test_a_model_never_takes_the_place_of_something_else(self):

@@ -32,45 +32,61 @@ exemplar::Percept two_balloons() {
   return percept;
 }
 
-std::array<int, 3> colour_at(const Frame& frame, int x, int y) {
-  const std::size_t at = 3 * (static_cast<std::size_t>(y) * frame.size.width + x);
-  return {frame.rgb[at], frame.rgb[at + 1], frame.rgb[at + 2]};
+/// The middle of the balloons of one colour in the columns [left, right) of the nodes' pictures,
+/// which stand below the actions.
+struct Patch {
+  double x = 0.0, y = 0.0;
+  int pixels = 0;
+};
+Patch patch_of(const Frame& picture, int channel, int left, int right) {
+  constexpr int kBelowActions = 450;
+  constexpr int kOver = 60;  // grey levels above the others
+  Patch patch;
+  for (int y = kBelowActions; y < picture.size.height; ++y) {
+    for (int x = left; x < right; ++x) {
+      const std::uint8_t* const rgb = &picture.rgb[3 * (std::size_t(y) * picture.size.width + x)];
+      const int other = channel == 0 ? std::max(rgb[1], rgb[2]) : std::max(rgb[0], rgb[2]);
+      if (rgb[channel] < other + kOver) continue;
+      patch.x += x;
+      patch.y += y;
+      ++patch.pixels;
+    }
+  }
+  patch.x /= patch.pixels;
+  patch.y /= patch.pixels;
+  return patch;
 }
 
-TEST(HierarchyPicture, ShowsTheBalloonsOfEachNodeWhereTheyWere) {
+TEST(HierarchyPicture, ShowsTheBalloonsOfANodeWhereTheyWere) {
   const exemplar::Percept percept = two_balloons();
   const Frame picture =
       draw_hierarchy(model_of(Exemplars(exemplar::kPerceptSize, exemplar::kActionSize,
                                         {percept.begin(), percept.end()}, {0.4, 0.3})));
-  // The root's picture: 147 pixels wide, in the middle, below the actions.
-  const double scale = 147.0 / 320.0;
-  const int left = 640 - 73;
-  const int top = 400;
-  const auto at = [&](double x, double y) {
-    return colour_at(picture, left + static_cast<int>(scale * x),
-                     top + static_cast<int>(scale * y));
-  };
-  EXPECT_GT(at(60, 100)[0], 180);
-  EXPECT_LT(at(60, 100)[1], 100);
-  EXPECT_GT(at(240, 180)[1], 150);
-  EXPECT_LT(at(240, 180)[0], 120);
-  EXPECT_LT(at(160, 60)[0], 60) << "and nothing elsewhere";
+  const Patch red = patch_of(picture, 0, 0, picture.size.width);
+  const Patch green = patch_of(picture, 1, 0, picture.size.width);
+  ASSERT_GT(red.pixels, 50);
+  ASSERT_GT(green.pixels, 50);
+  // 180 pixels to the right and 80 down, in pictures that are drawn smaller.
+  EXPECT_NEAR((green.y - red.y) / (green.x - red.x), 80.0 / 180.0, 0.05);
+  EXPECT_GT(green.x, red.x + 30.0);
 }
 
-TEST(HierarchyPicture, ShowsTwoExemplarsAsTwoNodesBelowTheRoot) {
+TEST(HierarchyPicture, ShowsTurnsToTheLeftAtTheLeft) {
   exemplar::Percept percept = two_balloons();
   std::vector<double> percepts(percept.begin(), percept.end());
   percept[1] = 250;  // the other one's red balloon is to the right
   percepts.insert(percepts.end(), percept.begin(), percept.end());
   const Frame picture = draw_hierarchy(model_of(
       Exemplars(exemplar::kPerceptSize, exemplar::kActionSize, percepts, {0.8, 0.3, -0.8, 0.3})));
-  const double scale = 147.0 / 320.0;
-  const int top = 400 + 110 + 34 + 26;
-  for (const auto& [middle, x] : {std::pair(16 + 312, 60.0), {16 + 936, 250.0}}) {
-    const auto colour = colour_at(picture, middle - 73 + static_cast<int>(scale * x),
-                                  top + static_cast<int>(scale * 100.0));
-    EXPECT_GT(colour[0], 120) << "the turn to the left is to the left";
-    EXPECT_LT(colour[1], 100);
+  // Beside the root, which stands in the middle: a leaf at either side, green at the same place in
+  // both, and red to the left of it in one only.
+  const int width = picture.size.width;
+  for (const auto& [left, side] : {std::pair(0, -1.0), {6 * width / 10, 1.0}}) {
+    const Patch red = patch_of(picture, 0, left, left + 4 * width / 10);
+    const Patch green = patch_of(picture, 1, left, left + 4 * width / 10);
+    ASSERT_GT(red.pixels, 50) << left;
+    ASSERT_GT(green.pixels, 50) << left;
+    EXPECT_GT(side * (red.x - green.x), 0.0) << left;
   }
 }
 

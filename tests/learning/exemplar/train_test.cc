@@ -84,14 +84,18 @@ TEST(ExemplarTraining, LeavesOutImpulsesWithInterferenceInThePicture) {
 }
 
 TEST(ExemplarTraining, LooksAtPicturesAsAtThoseOfVideos) {
-  PerceptConfig config;
-  config.colours.red_balloon.green = 0.086;  // not quite the disc's: as far off as a video's can be
   DiscStep step;
   step.red = testing::Disc{.x = 60, .y = 40, .radius = 10};
   step.command = {.steering = 0.2, .throttle = 0.2};
   Frame frame;
   testing::paint(step, 0, frame);
-  ASSERT_FALSE(BalloonFinder(config).find(frame).red);
+  // A colour just too far from the disc's to be it in a plain picture: so is that of a video's.
+  PerceptConfig config;
+  int steps = 0;
+  while (BalloonFinder(config).find(frame).red && ++steps < 100) {
+    config.colours.red_balloon.green += 0.001;
+  }
+  ASSERT_LT(steps, 100);
   ASSERT_TRUE(BalloonFinder(of_videos(config)).find(frame).red);
   EXPECT_EQ(exemplars_of(DiscDemonstration({{step}}), config).report.red_seen, 1U);
 }
