@@ -5,6 +5,7 @@
 
 #include "apps/command.h"
 #include "apps/terminal_progress.h"
+#include "core/counted.h"
 
 namespace pacer {
 namespace {
@@ -22,9 +23,9 @@ struct CollectCommand {
     const Scenario loaded = common.load(scenario);
     const CollectReport report = collect(loaded, Purpose::kCollect, episodes, out, control);
     progress.finish();
-    fmt::print("{}: {} episodes ({} new), {} frames recorded in {:.1f} s\n", out.string(),
-               report.episodes, report.episodes - report.resumed_from, report.frames,
-               report.seconds);
+    fmt::print("{}: {} ({} new), {} recorded in {:.1f} s\n", out.string(),
+               counted(report.episodes, "episode"), report.episodes - report.resumed_from,
+               counted(report.frames, "frame"), report.seconds);
     common.write_json({{"episodes", report.episodes},
                        {"resumed_from", report.resumed_from},
                        {"frames", report.frames},

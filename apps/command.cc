@@ -5,12 +5,39 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <thread>
 
 #include "core/check.h"
 #include "core/output_file.h"
 
 namespace pacer {
+namespace {
+
+/// As writable_file(), for names that end in `ending`; `what` says what is written there.
+CLI::Validator file_named(std::string ending, std::string what) {
+  return {[ending = std::move(ending), what = std::move(what)](const std::string& file) {
+            std::string kind = std::filesystem::path(file).extension().string();
+            std::ranges::transform(kind, kind.begin(),
+                                   [](unsigned char c) { return std::tolower(c); });
+            if (kind == ending) return writable_file()(std::string(file));
+            return fmt::format("{}: {}; give it a name that ends in {}", file, what, ending);
+          },
+          ""};
+}
+
+/// Whether there is a file that does not begin as every model does.
+bool holds_something_else(const std::filesystem::path& file) {
+  constexpr std::string_view kModels = "PACER";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return false;
+  std::string first(kModels.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(first.data(), static_cast<std::streamsize>(first.size()));
+  return stream.gcount() > 0 && first != kModels;
+}
+
+}  // namespace
 
 CLI::Validator writable_file() {
   return {[](const std::string& file) {
@@ -24,13 +51,14 @@ CLI::Validator writable_file() {
           ""};
 }
 
-CLI::Validator film_file() {
+CLI::Validator film_file() { return file_named(".mp4", "a film is an MP4"); }
+
+CLI::Validator picture_file() { return file_named(".png", "a picture is a PNG"); }
+
+CLI::Validator model_file() {
   return {[](const std::string& file) {
-            std::string kind = std::filesystem::path(file).extension().string();
-            std::ranges::transform(kind, kind.begin(),
-                                   [](unsigned char c) { return std::tolower(c); });
-            if (kind == ".mp4") return writable_file()(std::string(file));
-            return file + ": a film is an MP4; give it a name that ends in .mp4";
+            if (!holds_something_else(file)) return writable_file()(std::string(file));
+            return file + ": is there, and is no model; name another file";
           },
           ""};
 }

@@ -39,6 +39,13 @@ struct CommonOptions {
 /// For options that name a film to write: as writable_file(), and .mp4 is all that is written.
 [[nodiscard]] CLI::Validator film_file();
 
+/// The same for a picture, which is a PNG.
+[[nodiscard]] CLI::Validator picture_file();
+
+/// For options that name a model to write: as writable_file(), and what is there and is no model
+/// stays.
+[[nodiscard]] CLI::Validator model_file();
+
 /// For options that count: digits, where CLI11 would wrap what is negative or too large.
 [[nodiscard]] CLI::Validator whole_number();
 

@@ -11,6 +11,7 @@
 
 #include "apps/command.h"
 #include "core/check.h"
+#include "core/counted.h"
 #include "core/output_file.h"
 #include "dataset/contact_sheet.h"
 #include "learning/exemplar/policy_model.h"
@@ -31,9 +32,16 @@ struct InspectCommand {
 
   void run() const {
     keep_apart({what}, {sheet, common.json});
-    if (std::filesystem::is_directory(what)) {
+    const bool folder = std::filesystem::is_directory(what);
+    const bool scenario = !folder && (what.extension() == ".yaml" || what.extension() == ".yml");
+    if (!folder) {
+      refuse(mend, "--repair", "only a dataset can be repaired");
+      refuse(quick, "--quick", "only a dataset has videos");
+    }
+    if (scenario) refuse(!sheet.empty(), "--sheet", "a scenario has no picture");
+    if (folder) {
       inspect_dataset();
-    } else if (what.extension() == ".yaml" || what.extension() == ".yml") {
+    } else if (scenario) {
       const std::string yaml = to_yaml(common.load(what));
       fmt::print("{}", yaml);
       common.write_json({{"scenario", yaml}});
@@ -45,6 +53,11 @@ struct InspectCommand {
   }
 
  private:
+  /// Throws when an option was `given` that does not go with what is inspected.
+  void refuse(bool given, const char* option, const char* why) const {
+    if (given) throw UsageError(fmt::format("{} {}: {}; leave it out", option, what.string(), why));
+  }
+
   /// What the scenario recorded with the dataset says its task is; the usual one where that cannot
   /// be read.
   [[nodiscard]] std::string recorded_task() const {
@@ -77,8 +90,9 @@ struct InspectCommand {
         dataset::inspect(what, quick ? dataset::Depth::kTables : dataset::Depth::kAll);
     check_scenario(found);
     const dataset::DatasetSummary& summary = found.summary;
-    fmt::print("{}: {} episodes, {} frames, {:.1f} s of {} x {} at {} Hz, {:.1f} MB\n",
-               what.string(), summary.episodes, summary.frames, summary.seconds,
+    fmt::print("{}: {}, {}, {:.1f} s of {} x {} at {} Hz, {:.1f} MB\n", what.string(),
+               counted(static_cast<std::uint64_t>(summary.episodes), "episode"),
+               counted(static_cast<std::uint64_t>(summary.frames), "frame"), summary.seconds,
                summary.image_size.width, summary.image_size.height, summary.rate_hz,
                static_cast<double>(summary.bytes) / 1e6);
     fmt::print("task    {}\n", summary.task);
@@ -97,7 +111,11 @@ struct InspectCommand {
     }
     if (!sheet.empty()) {
       write_sheet(dataset::contact_sheet(dataset::Dataset(what)));
-      fmt::print("{}: the contact sheet\n", sheet.string());
+      const auto drawn = static_cast<std::int64_t>(dataset::ContactSheetOptions{}.most_episodes);
+      fmt::print("{}: the contact sheet{}\n", sheet.string(),
+                 drawn < summary.episodes
+                     ? fmt::format(", {} of the {} episodes", drawn, summary.episodes)
+                     : "");
     }
     common.write_json({{"episodes", summary.episodes},
                        {"frames", summary.frames},
@@ -106,7 +124,8 @@ struct InspectCommand {
                        {"findings", findings}});
     if (!found.whole()) {
       const bool readable = std::ranges::none_of(
-          found.findings, [](const dataset::Finding& finding) { return finding.where == "meta"; });
+          found.findings,
+          [](const dataset::Finding& finding) { return finding.where == "meta" || finding.lost; });
       if (readable) {
         fmt::print("not whole; `pacer inspect {} --repair` keeps what is\n", what.string());
       } else {
@@ -133,7 +152,9 @@ struct InspectCommand {
     const ModelDescription about = loaded.kind->describe(*loaded.model);
     fmt::print("{}: {}", what.string(), about.text);
     const auto* exemplars = dynamic_cast<const exemplar::ExemplarPolicyModel*>(loaded.model.get());
-    if (!sheet.empty() && exemplars != nullptr) {
+    refuse(!sheet.empty() && exemplars == nullptr, "--sheet",
+           "only an exemplar model has a picture, its hierarchy");
+    if (!sheet.empty()) {
       const Frame drawn = draw_hierarchy(*exemplars->model());
       cv::Mat bgr;
       cv::cvtColor(report::canvas::view(drawn), bgr, cv::COLOR_RGB2BGR);
@@ -155,7 +176,7 @@ void add_inspect(CLI::App& app, const std::stop_token&) {
   command
       ->add_option("--sheet", options->sheet,
                    "Draw a dataset's contact sheet, or an exemplar model's hierarchy (PNG)")
-      ->check(writable_file());
+      ->check(picture_file());
   command->add_flag("--repair", options->mend,
                     "Keep a dataset's episodes before the first that is damaged, and move the rest "
                     "to .dropped");

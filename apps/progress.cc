@@ -53,11 +53,11 @@ Progress::Progress(std::FILE* out, std::string label, std::uint64_t total, Progr
                    Clock clock)
     : out_(out),
       label_(std::move(label)),
-      total_(total),
       on_terminal_(style == ProgressStyle::kBar ||
                    (style == ProgressStyle::kAuto && is_terminal(out))),
       clock_(clock ? std::move(clock) : Clock(steady_now)),
       start_(clock_()),
+      total_(total),
       last_shown_(start_) {}
 
 Progress::~Progress() {
@@ -91,6 +91,11 @@ void Progress::resume_from(std::uint64_t count) {
   done_ += count;
   resumed_ += count;
   if (total_ != 0) tenths_shown_ = done_ * 10 / total_;
+}
+
+void Progress::expect(std::uint64_t total) {
+  const std::scoped_lock lock(mutex_);
+  if (!finished_) total_ = total;
 }
 
 void Progress::note(std::string_view line) {

@@ -44,6 +44,8 @@ class Progress {
   void advance(std::uint64_t count = 1);
   /// `count` were done by an earlier run that is resumed now: they count, but not for the rate.
   void resume_from(std::uint64_t count);
+  /// It is known better how many there are.
+  void expect(std::uint64_t total);
   /// A line of its own, above the bar.
   void note(std::string_view line);
   /// Shows the end state and the time it took. Later calls change nothing.
@@ -56,12 +58,12 @@ class Progress {
 
   std::FILE* out_;
   const std::string label_;
-  const std::uint64_t total_;
   const bool on_terminal_;
   const Clock clock_;
   const Seconds start_;
 
   std::mutex mutex_;  // guards what follows, and the order of writes
+  std::uint64_t total_;
   std::uint64_t done_ = 0;
   std::uint64_t resumed_ = 0;
   Seconds last_shown_;

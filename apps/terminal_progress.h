@@ -17,21 +17,28 @@ class TerminalProgress {
   /// What RunControl::progress calls; refers to this object.
   [[nodiscard]] std::function<void(std::uint64_t, std::uint64_t, std::string_view)> callback() {
     return [this](std::uint64_t done, std::uint64_t total, std::string_view what) {
-      if (!shown_ || what != what_) begin(total, what);
+      if (what != what_ || done < done_) begin(total, what);
+      if (!shown_) return;  // this one is over
+      shown_->expect(total);
       shown_->advance(done - done_);
       done_ = done;
+      if (done == total) end();
     };
   }
 
   /// The last thing is done.
   void finish() {
-    if (shown_) shown_->finish();
-    shown_.reset();
+    end();
+    what_.clear();
   }
 
  private:
+  void end() {
+    if (shown_) shown_->finish();
+    shown_.reset();
+  }
   void begin(std::uint64_t total, std::string_view what) {
-    finish();
+    end();
     what_ = what;
     done_ = 0;
     shown_.emplace(stderr, what_, total);

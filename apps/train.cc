@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/command.h"
 #include "apps/terminal_progress.h"
+#include "core/check.h"
 #include "dataset/reader.h"
 #include "runs/training_report.h"
 
@@ -24,9 +28,17 @@ struct TrainCommand {
 
   void run(const std::stop_token& stop) const {
     keep_apart({dataset, onto}, {out, common.json});
-    const dataset::Dataset recorded(dataset);
+    if (!onto.empty() && !common.set.empty()) {
+      throw UsageError(fmt::format("--set {}: {} keeps its settings as it grows; leave --set out",
+                                   common.set.front(), onto.string()));
+    }
     const std::string source = (dataset / "meta" / "scenario.yaml").string();
-    const Scenario scenario = parse_scenario(recorded.scenario(), source, common.overrides());
+    const std::string recorded = dataset::Dataset(dataset).scenario();
+    const Scenario scenario = parse_scenario(recorded, source, common.overrides());
+    if (!recorded.empty()) {
+      require_as_recorded(scenario, parse_scenario(recorded, source));
+      require_demonstrated(scenario);
+    }
     RunControl control = common.control(stop);
     TerminalProgress progress;
     control.progress = progress.callback();
@@ -49,6 +61,35 @@ struct TrainCommand {
   }
 
  private:
+  /// What was recorded cannot be set any more; how it is learnt can.
+  void require_as_recorded(Scenario wanted, const Scenario& recorded) const {
+    wanted.affordance = recorded.affordance;
+    wanted.exemplar = recorded.exemplar;
+    wanted.seed = recorded.seed;
+    if (to_yaml(wanted) == to_yaml(recorded)) return;
+    const auto is_of_recording = [](const std::string& assignment) {
+      constexpr std::array<std::string_view, 3> kLearnt = {"affordance", "exemplar", "seed"};
+      return std::ranges::find(kLearnt, assignment.substr(0, assignment.find_first_of(".="))) ==
+             kLearnt.end();
+    };
+    const auto named = std::ranges::find_if(common.set, is_of_recording);
+    throw UsageError(
+        fmt::format("--set {}: {} was recorded otherwise; only affordance.*, exemplar.* and seed "
+                    "can be set to learn from it",
+                    named == common.set.end() ? "" : *named, dataset.string()));
+  }
+
+  /// Throws where the teacher showed something else than `method` learns.
+  void require_demonstrated(const Scenario& scenario) const {
+    const bool by_impulses = method == "exemplar";
+    if ((scenario.what_for() == Goal::kReach) == by_impulses) return;
+    throw UsageError(
+        fmt::format("{}: was recorded with goal: {}, and {} learns from goal: {}; collect it with "
+                    "scenarios/{}.yaml, or train {}",
+                    dataset.string(), scenario.goal, method, by_impulses ? "reach" : "follow",
+                    by_impulses ? "balloon" : "follow", by_impulses ? "affordance" : "exemplar"));
+  }
+
   template <class Report>
   void tell(const Report& report, const char* scenario) const {
     fmt::print("{}", to_text(report));
@@ -75,9 +116,7 @@ void add_train(CLI::App& app, const std::stop_token& stop) {
       ->required()
       ->check(CLI::IsMember(methods));
   command->add_option("DATASET", options->dataset, "Folder of the dataset")->required();
-  command->add_option("--out", options->out, "File of the model")
-      ->required()
-      ->check(writable_file());
+  command->add_option("--out", options->out, "File of the model")->required()->check(model_file());
   command
       ->add_option("--onto", options->onto,
                    "exemplar: a model that the dataset's exemplars are added to, as corrections")
@@ -85,9 +124,9 @@ void add_train(CLI::App& app, const std::stop_token& stop) {
   options->common.add_to(*command);
   command->footer(
       "Example: pacer train affordance out/drives --out out/follow.model\n"
-      "         pacer train exemplar out/balloon --out out/balloon.model\n"
+      "         pacer train exemplar out/clicks --out out/balloon.model\n"
       "         pacer train supervised out/drives --out out/supervised.model\n"
-      "The scenario is the one recorded with the dataset; --set changes it.");
+      "The scenario is the one recorded with the dataset; --set changes how it is learnt.");
   command->callback([options, stop] { options->run(stop); });
 }
 

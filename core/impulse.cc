@@ -17,7 +17,7 @@ constexpr Seconds kRounding{1e-6};  // times of frames are rounded: none of them
 void ImpulseConfig::validate() const {
   require(move.count() > 0.0 && move.count() <= 10.0, "move_s: must lie in (0, 10]");
   require(settle.count() > 0.0 && settle.count() <= 10.0, "settle_s: must lie in (0, 10]");
-  require(brake >= 0.0 && brake <= 1.0, "brake: must lie in [0, 1]");
+  require(brake > 0.0 && brake <= 1.0, "brake: must lie in (0, 1]");
 }
 
 ImpulsePolicy::ImpulsePolicy(const ImpulseConfig& config, Policy& policy)

@@ -16,7 +16,7 @@ namespace pacer {
 struct ImpulseConfig {
   Seconds move{0.40};    ///< that the command is held
   Seconds settle{0.72};  ///< from then on, until the car stands and a picture of that has come
-  double brake = 1.0;    ///< stick below neutral meanwhile; 0 lets it coast
+  double brake = 1.0;    ///< stick below neutral meanwhile; with too little it rolls on
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;

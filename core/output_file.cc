@@ -16,6 +16,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Tries whether a file can be made that is not there; 0, or the reason why not.
+int reason_not_to_make(const fs::path& place) {
+  const int made = ::open(place.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (made < 0) return errno;
+  ::close(made);
+  ::unlink(place.c_str());
+  return 0;
+}
+
 /// Whether it is to be written to as it is: a device or a pipe, or a name that the system gives to
 /// what somebody else has open, such as /dev/stdout.
 bool is_stream(const fs::path& place) {
@@ -32,7 +41,11 @@ OutputFile::OutputFile(fs::path place) : place_(std::move(place)), aside_(place_
   std::error_code error;
   if (place_.empty()) fail(ENOENT);
   if (fs::is_directory(place_, error)) fail(EISDIR);
-  if (is_stream(place_)) return;
+  if (is_stream(place_)) {
+    const bool there = fs::exists(fs::symlink_status(place_, error));
+    if (const int reason = there ? 0 : reason_not_to_make(place_); reason != 0) fail(reason);
+    return;
+  }
   if (fs::is_symlink(place_, error) && fs::exists(place_, error)) {
     place_ = fs::canonical(place_);  // the link stays a link
   }

@@ -101,8 +101,8 @@ cv::Mat contact_sheet(const Dataset& dataset, const ContactSheetOptions& options
   const int frame_width = std::max(8, (inner - (options.frames - 1) * kGap) / options.frames);
   const int frame_height = std::max(8, frame_width * size.height / size.width);
   const int row = kTitleHeight + frame_height + kGap + kChartHeight + kRowGap;
-  const auto chosen =
-      evenly(options.most_episodes, static_cast<std::int64_t>(dataset.episodes().size()));
+  const auto total = static_cast<std::int64_t>(dataset.episodes().size());
+  const auto chosen = evenly(options.most_episodes, total);
   const int rows = static_cast<int>(chosen.size());
   cv::Mat sheet(std::max(rows * row, kTitleHeight) + kMargin, options.width, CV_8UC3, kPaper);
   if (chosen.empty()) write_text(sheet, "no episodes", {kMargin, kTitleHeight - 8}, kInk);
@@ -111,7 +111,8 @@ cv::Mat contact_sheet(const Dataset& dataset, const ContactSheetOptions& options
     const auto episode = static_cast<std::size_t>(number);
     const std::int64_t length = dataset.episodes()[episode].length;
     write_text(sheet,
-               fmt::format("episode {}   {} frames   {:.1f} s", number, length,
+               fmt::format("episode {}{}   {} frames   {:.1f} s", number,
+                           rows < total ? fmt::format(" of 0 to {}", total - 1) : "", length,
                            static_cast<double>(length) / dataset.info().rate_hz),
                {kMargin, top + kTitleHeight - 8}, kInk);
     const int legend = options.width - kMargin - 150;

@@ -27,11 +27,18 @@ namespace {
 
 constexpr auto kPatience = std::chrono::seconds(10);
 
+/// What to do about an `error` of what was tried.
+const char* advice(int error, std::string_view what) {
+  if (error == ENOSPC || error == EDQUOT) return "; free some space and run again";
+  const bool making = what == "write" || what == "make the folder";
+  return making ? "; name a place that can be written" : "";
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
   const int error = errno;
-  const char* hint = error == ENOSPC || error == EDQUOT ? "; free some space and run again" : "";
   throw std::runtime_error(fmt::format("{}: cannot {}: {}{}", path.string(), what,
-                                       std::generic_category().message(error), hint));
+                                       std::generic_category().message(error),
+                                       advice(error, what)));
 }
 
 /// An open file that closes itself.

@@ -133,6 +133,11 @@ DatasetInfo read_info(const std::filesystem::path& path) {
     }
     parse_features(json.at("features"), info);
     return info;
+  } catch (const Json::exception&) {
+    throw std::runtime_error(fmt::format(
+        "{}: not the info of a LeRobotDataset v3.0: it is cut, or lacks a value; put the "
+        "file back, or record anew",
+        path.string()));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("{}: not the info of a dataset: {}", path.string(),
                                          std::string_view(error.what())));

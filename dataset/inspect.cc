@@ -30,13 +30,20 @@ std::string place_in(const fs::path& root, const fs::path& path) {
   return path.lexically_relative(root).generic_string();
 }
 
+/// `what` without the path that it begins with, where that ends in `where`: a finding says where.
+std::string without_place(const std::string& what, const std::string& where) {
+  const std::size_t end = what.find(where + ": ");
+  const std::size_t colon = what.find(": ");
+  return end == std::string::npos || end > colon ? what : what.substr(end + where.size() + 2);
+}
+
 /// Runs `work`; whatever it throws is a finding.
 template <class Work>
 void finding_errors(std::vector<Finding>& findings, const std::string& where, Work&& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    findings.push_back({.where = where, .what = error.what()});
+    findings.push_back({.where = where, .what = without_place(error.what(), where)});
   }
 }
 
@@ -152,11 +159,11 @@ void check_hashes(const Dataset& dataset, Inspection& into) {
   if (!hashed && !described) return;  // another program's
   if (!hashed || !described) {
     const fs::path& lost = hashed ? layout.scenario() : layout.hashes();
-    into.findings.push_back({place_in(layout.root(), lost),
-                             hashed ? "is missing or empty, and tells what was recorded: nothing "
-                                      "can be added without it"
-                                    : "is missing",
-                             true});
+    into.findings.push_back({.where = place_in(layout.root(), lost),
+                             .what = hashed ? "is lost, and cannot be made up; put it back, or "
+                                              "record anew"
+                                            : "is missing",
+                             .lost = hashed});
     if (!hashed) return;
   }
   finding_errors(into.findings, place_in(layout.root(), layout.hashes()), [&] {
@@ -228,6 +235,11 @@ Inspection inspect(const fs::path& root, Depth depth) {
   }
   Inspection inspection;
   auto& findings = inspection.findings;
+  finding_errors(findings, "meta/info.json", [&] { (void)read_info(layout.info()); });
+  if (!findings.empty()) {
+    findings.back().lost = true;
+    return inspection;
+  }
   finding_errors(findings, "meta", [&] {
     const Dataset dataset(root);
     summarise(dataset, inspection.summary);

@@ -16,6 +16,7 @@ struct Finding {
   std::string where;  ///< the file, from the dataset's folder on
   std::string what;
   bool harms = true;  ///< false: worth knowing, and the dataset is whole all the same
+  bool lost = false;  ///< repair() cannot make it up; `what` says what to do
 };
 
 /// What is in a dataset.

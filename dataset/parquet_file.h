@@ -24,6 +24,8 @@ auto at_file(const std::filesystem::path& path, const char* what, Work&& work) {
     for (char& c : why) {
       if (c == '\n') c = ' ';
     }
+    const std::size_t end = why.find_last_not_of(" .;");
+    why.resize(end == std::string::npos ? 0 : end + 1);  // what is said next has its own stop
     throw std::runtime_error(path.string() + ": " + what + ": " + why);
   }
 }

@@ -87,8 +87,13 @@ CollectReport collect(const Scenario& scenario, Purpose purpose, std::uint64_t e
   const auto frames_each = static_cast<std::uint64_t>(scenario.simulated.duration.count() *
                                                       scenario.simulated.camera.frame_rate_hz);
   SharedCounter counter;
-  std::uint64_t expected = frames_each * missing.size();
-  const auto tick = [&] { control.progress(counter.value(), expected, "frames recorded"); };
+  std::uint64_t left = missing.size();
+  std::uint64_t expected = frames_each * left;
+  const auto tick = [&] {
+    if (missing.empty()) return;  // all was recorded before
+    const std::uint64_t recorded = counter.value();
+    control.progress(recorded, std::max(expected, recorded + left), "frames recorded");
+  };
   tick();
   run_in_workers(
       control.jobs, missing,
@@ -99,7 +104,8 @@ CollectReport collect(const Scenario& scenario, Purpose purpose, std::uint64_t e
         const nlohmann::json value = nlohmann::json::parse(result);
         const auto frames = value["frames"].get<std::uint64_t>();
         report.frames += frames;
-        expected -= frames_each - std::min(frames, frames_each);  // one that ended early
+        --left;  // and those to come may end early as those before did
+        expected = report.frames + left * (report.frames / (missing.size() - left));
         report.worker_peak_mb = std::max(report.worker_peak_mb, value["peak_mb"].get<double>());
         writer.commit_finished();
       },

@@ -8,6 +8,7 @@
 #include "core/drive.h"
 #include "dataset/replay_car.h"
 #include "runs/film.h"
+#include "runs/named_policy.h"
 #include "runs/pace.h"
 #include "sim/sim_car.h"
 
@@ -71,7 +72,8 @@ DriveReport drive_once(const Scenario& scenario, const PolicySource& source,
     car = std::move(made);
   }
   const std::unique_ptr<Policy> policy = source.make(scenario, simulated, random.fork("policy"));
-  Pace pace(scenario, *policy);
+  NamedPolicy named(source.name(), *policy);
+  Pace pace(scenario, named);
 
   DriveProgress progress(control, expected);
   std::vector<StepSink*> sinks = {&progress};

@@ -11,6 +11,7 @@
 #include "core/check.h"
 #include "core/drive.h"
 #include "runs/film.h"
+#include "runs/named_policy.h"
 #include "runs/pace.h"
 #include "runs/report/picture.h"
 #include "runs/shared_counter.h"
@@ -77,7 +78,8 @@ std::string drive_episode(const Scenario& scenario, const std::vector<PolicySour
   const sim::SimCarConfig config = scenario.simulated_for(Purpose::kEvaluate);
   sim::SimCar car(config, random.fork("car"));
   const std::unique_ptr<Policy> policy = source.make(scenario, &car, random.fork("policy"));
-  TimedPolicy timed(*policy);
+  NamedPolicy named(source.name(), *policy);
+  TimedPolicy timed(named);
   Pace pace(scenario, timed);
   const std::unique_ptr<Scorer> scorer = make_scorer(scenario, car.signal_columns());
   StepCounter steps(counter);

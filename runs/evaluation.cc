@@ -77,7 +77,10 @@ report::Table score_table(const Evaluation& evaluation) {
   table.columns.push_back({.heading = "response p50", .unit = "ms", .decimals = 2});
   table.columns.push_back({.heading = "p99", .unit = "ms", .decimals = 2});
   for (const PolicyEvaluation& policy : evaluation.policies) {
-    report::Row row{.cells = {policy.name}, .competes = policy.name != "teacher"};
+    // What shows, and what does not look, are there to compare with.
+    const bool reference =
+        policy.name == "teacher" || policy.name == "neutral" || policy.name == "mean";
+    report::Row row{.cells = {policy.name}, .competes = !reference};
     if (any_given) row.cells.emplace_back(to_text(policy.given_boxes));
     for (std::size_t i = 0; i < measures.size(); ++i) {
       if (measures[i].heading == nullptr) continue;

@@ -23,37 +23,68 @@ using exemplar::NodeId;
 namespace canvas = report::canvas;
 
 constexpr int kWidth = 1280;
-constexpr int kMargin = 16;
-constexpr int kPlot = 360;   // height of the actions
-constexpr int kLevels = 4;   // of nodes, the root's included
-constexpr int kArrows = 34;  // height of a node's strip of actions
+constexpr int kMargin = 44;   // room for the numbers of the axes
+constexpr int kPlot = 400;    // height of the actions
+constexpr int kCaption = 18;  // from their axis to the middle of the percepts' caption
+constexpr int kLevels = 4;    // of nodes, the root's included
+constexpr int kArrows = 34;   // height of a node's strip of actions
 constexpr int kGap = 10;
 const cv::Scalar kRed(232, 72, 72);
 const cv::Scalar kGreen(72, 190, 96);
 const cv::Scalar kLine(84, 94, 110);
+const cv::Scalar kAxisLine(150, 160, 176);
 const std::array<cv::Scalar, 3> kGroups = {cv::Scalar(88, 166, 255), cv::Scalar(255, 159, 28),
                                            cv::Scalar(188, 140, 255)};
+
+/// A place or a length as whole pixels. Models are read from files, and can hold any numbers:
+/// beyond what a picture can be wide, it is so far outside.
+int pixels(double value) {
+  constexpr double kFar = 16384.0;
+  return std::isnan(value) ? 0 : static_cast<int>(std::lround(std::clamp(value, -kFar, kFar)));
+}
 
 /// Turn and drive as a place on a plot: left is left, and ahead is up.
 class ActionPlot {
  public:
-  ActionPlot(const Hierarchy& hierarchy, const cv::Rect& place) : place_(place) {
+  /// Wide enough for all actions, and for the models of `groups` to two standard deviations.
+  ActionPlot(const Hierarchy& hierarchy, const std::vector<NodeId>& groups, const cv::Rect& place)
+      : place_(place) {
+    double least = 1.0;
     double most = 0.05;
+    const auto reach = [&](double turn, double low, double high) {
+      most_turn_ = std::clamp(turn, most_turn_, 2.0);
+      least = std::min(least, low);
+      most = std::max(most, high);
+    };
     for (std::size_t n = 0; n < hierarchy.exemplars().size(); ++n) {
-      most = std::max(most, hierarchy.exemplars().action(n)[1]);
+      const auto action = hierarchy.exemplars().action(n);
+      reach(std::abs(action[0]), action[1], action[1]);
     }
-    most_drive_ = 1.08 * most;
+    for (const NodeId group : groups) {
+      if (!hierarchy.has_model(group)) continue;
+      const exemplar::Gaussian model = hierarchy.action_model(group);
+      const double turn = 2.0 * std::sqrt(model.covariance(0, 0));
+      const double drive = 2.0 * std::sqrt(model.covariance(1, 1));
+      reach(std::abs(model.mean[0]) + turn, model.mean[1] - drive, model.mean[1] + drive);
+    }
+    const double rim = std::max(0.05 * (most - least), 0.01);
+    least_drive_ = std::clamp(least - rim, -1.0, 0.9);
+    most_drive_ = std::clamp(most + rim, least_drive_ + 0.02, 2.0);
   }
   [[nodiscard]] cv::Point at(double turn, double drive) const {
-    return {static_cast<int>(std::lround(place_.x + 0.5 * (1.0 - turn / kMostTurn) * place_.width)),
-            static_cast<int>(std::lround(place_.y + (1.0 - drive / most_drive_) * place_.height))};
+    const double up = (drive - least_drive_) / (most_drive_ - least_drive_);
+    return {pixels(place_.x + 0.5 * (1.0 - turn / most_turn_) * place_.width),
+            pixels(place_.y + (1.0 - up) * place_.height)};
   }
+  [[nodiscard]] double most_turn() const { return most_turn_; }
+  [[nodiscard]] double least_drive() const { return least_drive_; }
   [[nodiscard]] double most_drive() const { return most_drive_; }
-  static constexpr double kMostTurn = 1.05;
 
  private:
   cv::Rect place_;
-  double most_drive_;
+  double most_turn_ = 1.05;
+  double least_drive_ = 0.0;
+  double most_drive_ = 1.0;
 };
 
 struct Bounds {
@@ -109,18 +140,50 @@ void draw_model(cv::Mat& image, const ActionPlot& plot, const exemplar::Gaussian
   cv::polylines(image, outline, true, colour, 2, cv::LINE_AA);
 }
 
-void draw_actions(cv::Mat& image, const Hierarchy& hierarchy) {
+/// Numbers along both axes, and the line between left and right.
+void draw_axes(cv::Mat& image, const ActionPlot& plot, const cv::Rect& place) {
+  const cv::Point middle = plot.at(0.0, plot.least_drive());
+  cv::line(image, {middle.x, place.y}, {middle.x, place.y + place.height}, kAxisLine, 1);
+  for (const double turn : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+    const cv::Point at = plot.at(turn, plot.least_drive());
+    cv::line(image, {at.x, place.y + place.height}, {at.x, place.y + place.height + 4}, kAxisLine);
+    canvas::text(image, fmt::format("{:+.1f}", turn), {at.x - 12, place.y + place.height + 16},
+                 {.height_px = 8});
+  }
+  constexpr int kTicks = 5;
+  const double range = plot.most_drive() - plot.least_drive();
+  for (int i = 0; i < kTicks; ++i) {
+    const double drive = plot.least_drive() + range * (i + 0.5) / kTicks;
+    const cv::Point at = plot.at(0.0, drive);
+    cv::line(image, {place.x - 4, at.y}, {place.x, at.y}, kAxisLine);
+    canvas::text(image, fmt::format("{:.2f}", drive), {place.x - 36, at.y + 4}, {.height_px = 8});
+  }
+}
+
+void draw_actions(cv::Mat& image, const Hierarchy& hierarchy, const std::vector<NodeId>& groups) {
   constexpr int kAxis = 22;
   const cv::Rect place(kMargin, kMargin + 24, kWidth - 2 * kMargin, kPlot - kAxis - 24);
-  const ActionPlot plot(hierarchy, place);
-  canvas::text(image, "actions: turn (left is left) and drive (up is ahead), as the tree cuts them",
-               {kMargin, kMargin + 10}, {.height_px = 11});
-  cv::Mat inside = image(place);
-  draw_cuts(
-      image, plot, hierarchy.tree(), 0,
-      {.low = {-ActionPlot::kMostTurn, 0.0}, .high = {ActionPlot::kMostTurn, plot.most_drive()}});
+  const ActionPlot plot(hierarchy, groups, place);
+  canvas::text(
+      image,
+      "actions: turn (left is left, 1 is full stick) and drive (up is ahead); lines: where "
+      "the tree cuts them",
+      {kMargin, 20}, {.height_px = 11});
+  int x = kMargin;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::string entry =
+        fmt::format("group {}: {} of {}", g + 1, hierarchy.tree().nodes()[groups[g]].count,
+                    hierarchy.exemplars().size());
+    cv::circle(image, {x + 5, 40}, 5, kGroups[g], cv::FILLED, cv::LINE_AA);
+    x += 34 + canvas::text(image, entry, {x + 16, 45}, {.height_px = 10});
+  }
+  canvas::text(image, "dots: its actions; ellipse: two standard deviations; below, its frame",
+               {x, 45}, {.height_px = 10, .most_width_px = kWidth - kMargin - x});
+  draw_cuts(image, plot, hierarchy.tree(), 0,
+            {.low = {-plot.most_turn(), plot.least_drive()},
+             .high = {plot.most_turn(), plot.most_drive()}});
+  draw_axes(image, plot, place);
   cv::rectangle(image, place, kLine, 1);
-  const std::vector<NodeId> groups = three_groups(hierarchy.tree());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     for (const std::uint32_t n : hierarchy.tree().exemplars_of(groups[g])) {
       const auto action = hierarchy.exemplars().action(n);
@@ -130,6 +193,13 @@ void draw_actions(cv::Mat& image, const Hierarchy& hierarchy) {
       draw_model(image, plot, hierarchy.action_model(groups[g]), kGroups[g]);
     }
   }
+}
+
+/// The colour of the group that `node` is; null where it is none.
+const cv::Scalar* colour_of(const std::vector<NodeId>& groups, NodeId node) {
+  const auto found = std::ranges::find(groups, node);
+  if (found == groups.end()) return nullptr;
+  return &kGroups.at(static_cast<std::size_t>(found - groups.begin()));
 }
 
 /// What one node has seen, its exemplars' balloons, each as its ellipse, and its actions.
@@ -151,21 +221,19 @@ void draw_node(cv::Mat image, const Hierarchy& hierarchy, NodeId node, double sc
     for (const auto& [blob, colour] : {std::pair(&balloons.green, kGreen), {&balloons.red, kRed}}) {
       if (!*blob) continue;
       const exemplar::Ellipse shape = exemplar::ellipse(**blob);
-      cv::ellipse(layer,
-                  cv::Point(static_cast<int>(std::lround(scale * (*blob)->centroid.x())),
-                            static_cast<int>(std::lround(scale * (*blob)->centroid.y()))),
-                  cv::Size(std::max(2, static_cast<int>(std::lround(scale * shape.major))),
-                           std::max(2, static_cast<int>(std::lround(scale * shape.minor)))),
-                  shape.angle * 180.0 / std::numbers::pi, 0.0, 360.0, colour, cv::FILLED,
-                  cv::LINE_AA);
+      cv::ellipse(
+          layer,
+          cv::Point(pixels(scale * (*blob)->centroid.x()), pixels(scale * (*blob)->centroid.y())),
+          cv::Size(std::max(2, pixels(scale * shape.major)),
+                   std::max(2, pixels(scale * shape.minor))),
+          shape.angle * 180.0 / std::numbers::pi, 0.0, 360.0, colour, cv::FILLED, cv::LINE_AA);
     }
     cv::addWeighted(layer, alpha, view, 1.0 - alpha, 0.0, view);
     const auto action = hierarchy.exemplars().action(members[i]);
     const double angle = action[0] * std::numbers::pi / 3.0;
     const double length = (kArrows - 8) * std::clamp(2.0 * action[1], 0.3, 1.0);
     cv::line(image, foot,
-             foot - cv::Point(static_cast<int>(std::lround(length * std::sin(angle))),
-                              static_cast<int>(std::lround(length * std::cos(angle)))),
+             foot - cv::Point(pixels(length * std::sin(angle)), pixels(length * std::cos(angle))),
              canvas::kInk, 1, cv::LINE_AA);
   }
   canvas::text(image, fmt::format("{}", members.size()), {4, image.rows - 6}, {.height_px = 9});
@@ -179,22 +247,26 @@ Frame draw_hierarchy(const exemplar::Model& model) {
   constexpr int kColumns = 1 << (kLevels - 1);
   constexpr int kNodeWidth = (kWidth - 2 * kMargin - (kColumns - 1) * kGap) / kColumns;
   const double scale = static_cast<double>(kNodeWidth) / model.image_size.width;
-  const int node_height = static_cast<int>(std::lround(scale * model.image_size.height)) + kArrows;
+  const int node_height = pixels(scale * model.image_size.height) + kArrows;
   constexpr int kBetween = 26;
   Frame frame;
   cv::Mat image = canvas::resized(
-      frame,
-      {.width = kWidth, .height = kPlot + kMargin + 24 + kLevels * (node_height + kBetween)});
+      frame, {.width = kWidth,
+              .height = kPlot + kMargin + kCaption + 16 + kLevels * (node_height + kBetween)});
   image.setTo(canvas::kBackground);
-  draw_actions(image, hierarchy);
-  canvas::text(image,
-               "percepts: what each node has seen, red and green balloons of its exemplars; below "
-               "them their number and their actions",
-               {kMargin, kPlot + kMargin + 8}, {.height_px = 11});
+  const std::vector<NodeId> groups = three_groups(hierarchy.tree());
+  draw_actions(image, hierarchy, groups);
+  canvas::text(
+      image,
+      fmt::format("percepts: the balloons that each node's exemplars saw; their number, and "
+                  "what was done; levels 0 to {} of {}",
+                  std::min(kLevels - 1, hierarchy.tree().depth()), hierarchy.tree().depth()),
+      {kMargin, kPlot + kMargin + kCaption},
+      {.height_px = 11, .most_width_px = kWidth - 2 * kMargin});
 
   std::vector<NodeId> level = {0};
   for (int depth = 0; depth < kLevels; ++depth) {
-    const int y = kPlot + kMargin + 24 + depth * (node_height + kBetween);
+    const int y = kPlot + kMargin + kCaption + 16 + depth * (node_height + kBetween);
     const auto middle = [&](std::size_t i, int levels_down) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(1 << levels_down);
       return kMargin + static_cast<int>(share * (kWidth - 2 * kMargin));
@@ -216,8 +288,11 @@ Frame draw_hierarchy(const exemplar::Model& model) {
                    {middle(child, depth + 1), y + node_height + kBetween}, kLine, 1, cv::LINE_AA);
         }
       }
-      draw_node(image(cv::Rect(x - kNodeWidth / 2, y, kNodeWidth, node_height)), hierarchy,
-                level[i], scale);
+      const cv::Rect frame_of_node(x - kNodeWidth / 2, y, kNodeWidth, node_height);
+      draw_node(image(frame_of_node), hierarchy, level[i], scale);
+      if (const cv::Scalar* colour = colour_of(groups, level[i])) {
+        cv::rectangle(image, frame_of_node, *colour, 2);
+      }
     }
     level = std::move(next);
   }

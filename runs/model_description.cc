@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/counted.h"
 #include "learning/affordance/knowledge.h"
 
 namespace pacer {
@@ -83,17 +84,22 @@ ModelDescription describe(const exemplar::Model& model) {
     inner += hierarchy.has_model(node) ? 1 : 0;
   }
   ModelDescription about;
-  about.text = fmt::format("exemplar model, format {}, {} exemplars, for {} x {}\n",
-                           exemplar::Model::kVersion, hierarchy.exemplars().size(),
-                           model.image_size.width, model.image_size.height);
+  about.text =
+      fmt::format("exemplar model, format {}, {}, for {} x {}\n", exemplar::Model::kVersion,
+                  counted(hierarchy.exemplars().size(), "exemplar"), model.image_size.width,
+                  model.image_size.height);
   about.text += fmt::format("learnt from {}\n", model.fingerprint);
-  about.text += fmt::format("{} nodes, {} of them with models, {} deep; tau {}\n",
-                            hierarchy.tree().nodes().size(), inner, hierarchy.tree().depth(),
-                            hierarchy.config().tau);
-  const exemplar::Gaussian actions = hierarchy.action_model(0);
+  about.text += fmt::format("{}, {} of them with models, {} deep; tau {}\n",
+                            counted(hierarchy.tree().nodes().size(), "node"), inner,
+                            hierarchy.tree().depth(), hierarchy.config().tau);
   for (const auto& [name, i] : {std::pair("turn", 0), {"drive", 1}}) {
-    about.text += fmt::format("{:<6} {:+.2f}, standard deviation {:.2f}\n", name, actions.mean[i],
-                              std::sqrt(actions.covariance(i, i)));
+    about.text +=
+        fmt::format("{:<6} {:+.2f}", name, hierarchy.action_mean(0)[static_cast<std::size_t>(i)]);
+    if (hierarchy.has_model(0)) {  // of one exemplar there is none
+      about.text += fmt::format(", standard deviation {:.2f}",
+                                std::sqrt(hierarchy.action_model(0).covariance(i, i)));
+    }
+    about.text += "\n";
   }
   about.json = {
       {"fingerprint", model.fingerprint},         {"exemplars", hierarchy.exemplars().size()},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "core/check.h"
 #include "core/constant_policy.h"
@@ -53,7 +54,21 @@ std::vector<PolicySource> PolicySource::load(const std::vector<std::string>& nam
     if (!mean) throw UsageError("--policy mean: name a model too, whose mean it is");
     source.what_ = *mean;
   }
+  number(sources);
   return sources;
+}
+
+void PolicySource::number(std::vector<PolicySource>& sources) {
+  std::set<std::string> taken;
+  for (PolicySource& source : sources) {
+    const std::string name = source.name_;
+    const bool file = !std::holds_alternative<Command>(source.what_) &&
+                      !std::holds_alternative<Teacher>(source.what_);
+    const bool reserved = file && (name == "teacher" || name == "neutral" || name == "mean");
+    int count = reserved ? 2 : 1;
+    if (reserved) source.name_ = fmt::format("{}-{}", name, count);
+    while (!taken.insert(source.name_).second) source.name_ = fmt::format("{}-{}", name, ++count);
+  }
 }
 
 std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::SimCar* car,

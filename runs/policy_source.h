@@ -49,6 +49,10 @@ class PolicySource {
   struct Teacher {};
   using Learnt = std::shared_ptr<const PolicyModel>;
 
+  /// Gives each a name of its own: what has the name of one before it, or a file that of a policy
+  /// which is none, gains a number.
+  static void number(std::vector<PolicySource>& sources);
+
   std::string name_;
   std::variant<Command, Teacher, Learnt> what_;  // a command: that one, always
 };

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "core/check.h"
 #include "dataset/demonstration.h"
@@ -14,6 +16,8 @@
 #include "learning/baselines/ridge_model.h"
 #include "learning/baselines/supervised_model.h"
 #include "learning/baselines/tracker_model.h"
+#include "learning/exemplar/policy_model.h"
+#include "runs/model_kinds.h"
 
 namespace pacer {
 namespace {
@@ -23,9 +27,11 @@ void require_whole(const std::filesystem::path& folder) {
   for (const dataset::Finding& finding :
        dataset::inspect(folder, dataset::Depth::kFiles).findings) {
     if (!finding.harms) continue;
-    throw std::runtime_error(fmt::format("{}: {}; `pacer inspect {} --repair` keeps what is whole",
-                                         (folder / finding.where).string(), finding.what,
-                                         folder.string()));
+    const std::string fault =
+        fmt::format("{}: {}", (folder / finding.where).string(), finding.what);
+    if (finding.lost) throw std::runtime_error(fault);
+    throw std::runtime_error(
+        fmt::format("{}; `pacer inspect {} --repair` keeps what is whole", fault, folder.string()));
   }
 }
 
@@ -36,7 +42,7 @@ TrainingOptions options_of(const Scenario& scenario, const RunControl& control) 
   options.stop = control.stop;
   options.progress = [&control](std::string_view stage, double share) {
     constexpr double kWhole = 100.0;
-    control.progress(static_cast<std::uint64_t>(share * kWhole), 100, stage);
+    control.progress(static_cast<std::uint64_t>(share * kWhole), 100, fmt::format("{}, %", stage));
   };
   return options;
 }
@@ -87,6 +93,24 @@ const std::vector<Baseline>& all_baselines() {
   return all;
 }
 
+/// The model in `file`, which is to learn from `more`. Throws UsageError where it cannot.
+exemplar::Model growing(const std::filesystem::path& file, const Demonstration& more,
+                        const std::filesystem::path& folder) {
+  const LoadedModel loaded = load_model(file);
+  const auto* found = dynamic_cast<const exemplar::ExemplarPolicyModel*>(loaded.model.get());
+  if (found == nullptr) {
+    throw UsageError(
+        fmt::format("--onto {}: not an exemplar model, and only those grow", file.string()));
+  }
+  if (found->model()->fingerprint.find(more.fingerprint()) != std::string::npos) {
+    throw UsageError(
+        fmt::format("--onto {}: has learnt from {} already; collect another dataset, "
+                    "with another seed",
+                    file.string(), folder.string()));
+  }
+  return *found->model();
+}
+
 }  // namespace
 
 affordance::TrainingReport train_affordance(const Scenario& scenario,
@@ -101,19 +125,22 @@ affordance::TrainingReport train_affordance(const Scenario& scenario,
   return training.report;
 }
 
-exemplar::TrainingReport train_exemplar(const Scenario& scenario,
-                                        const std::filesystem::path& folder,
-                                        const std::filesystem::path& onto,
-                                        const std::filesystem::path& file,
-                                        const RunControl& control) {
+ExemplarTraining train_exemplar(const Scenario& scenario, const std::filesystem::path& folder,
+                                const std::filesystem::path& onto,
+                                const std::filesystem::path& file, const RunControl& control) {
   require_whole(folder);
   const dataset::RecordedDemonstration demonstration(folder);
   const TrainingOptions options = options_of(scenario, control);
-  const exemplar::Training training =
-      onto.empty() ? exemplar::train(demonstration, scenario.exemplar, options)
-                   : exemplar::grow(exemplar::load(onto), demonstration, options);
+  if (onto.empty()) {
+    const exemplar::Training training = exemplar::train(demonstration, scenario.exemplar, options);
+    exemplar::save(training.model, file);
+    return {.report = training.report};
+  }
+  exemplar::Model model = growing(onto, demonstration, folder);
+  const std::uint64_t before = model.hierarchy.exemplars().size();
+  const exemplar::Training training = exemplar::grow(std::move(model), demonstration, options);
   exemplar::save(training.model, file);
-  return training.report;
+  return {.report = training.report, .onto = before};
 }
 
 const std::vector<std::string>& baseline_methods() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,13 +21,18 @@ affordance::TrainingReport train_affordance(const Scenario& scenario,
                                             const std::filesystem::path& file,
                                             const RunControl& control);
 
+/// What learning from exemplars did, and how many the model that it grew had before.
+struct ExemplarTraining {
+  exemplar::TrainingReport report;
+  std::uint64_t onto = 0;
+};
+
 /// Learns the percept-action hierarchy (chapter 5) likewise. With a model in `onto`, that one grows
-/// by the exemplars of the dataset, as by a teacher's corrections, and keeps its settings.
-exemplar::TrainingReport train_exemplar(const Scenario& scenario,
-                                        const std::filesystem::path& folder,
-                                        const std::filesystem::path& onto,
-                                        const std::filesystem::path& file,
-                                        const RunControl& control);
+/// by the exemplars of the dataset, as by a teacher's corrections, and keeps its settings; throws
+/// UsageError where it is of another kind or has learnt from the dataset already.
+ExemplarTraining train_exemplar(const Scenario& scenario, const std::filesystem::path& folder,
+                                const std::filesystem::path& onto,
+                                const std::filesystem::path& file, const RunControl& control);
 
 /// What else a user would try: supervised, nearest, ridge, ridge-hog, tracker.
 [[nodiscard]] const std::vector<std::string>& baseline_methods();

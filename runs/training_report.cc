@@ -5,17 +5,19 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/counted.h"
+
 namespace pacer {
 
 std::string to_text(const affordance::TrainingReport& report) {
   const std::string thinned = report.frames_learnt < report.frames_counted
                                   ? fmt::format(", {} of these learnt from", report.frames_learnt)
                                   : "";
-  std::string text = fmt::format(
-      "{} episodes, {} frames, {} of them new{}; {} features; {} transactions of {:.1f} items\n",
-      report.episodes, report.frames, report.frames_counted, thinned, report.features,
-      report.transactions,
-      static_cast<double>(report.items) / static_cast<double>(report.transactions));
+  std::string text =
+      fmt::format("{}, {}, {} of them new{}; {} features; {} transactions of {:.1f} items\n",
+                  counted(report.episodes, "episode"), counted(report.frames, "frame"),
+                  report.frames_counted, thinned, report.features, report.transactions,
+                  static_cast<double>(report.items) / static_cast<double>(report.transactions));
   if (report.found) {
     const std::vector<double>& explained = report.found->explained;
     text += fmt::format(
@@ -79,28 +81,30 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
           {"seconds", seconds}};
 }
 
-std::string to_text(const exemplar::TrainingReport& report) {
-  std::string text = fmt::format(
-      "{} episodes, {} frames: {} exemplars, the red balloon in view in {}, the green one in {}\n",
-      report.episodes, report.frames, report.exemplars, report.red_seen, report.green_seen);
+std::string to_text(const ExemplarTraining& training) {
+  const exemplar::TrainingReport& report = training.report;
+  std::string text =
+      fmt::format("{}, {}: {}, the red balloon in view in {}, the green one in {}\n",
+                  counted(report.episodes, "episode"), counted(report.frames, "frame"),
+                  counted(report.exemplars, "exemplar"), report.red_seen, report.green_seen);
   if (report.disturbed > 0) {
-    text += fmt::format("{} impulses left out, since interference covered the picture\n",
-                        report.disturbed);
+    text += fmt::format("{} left out, since interference covered the picture\n",
+                        counted(report.disturbed, "impulse"));
   }
-  return text + fmt::format("a hierarchy of {} nodes, {} deep; learnt in {:.1f} s\n", report.nodes,
-                            report.depth, report.seconds);
+  if (training.onto > 0) {
+    text += fmt::format("added {} to {}\n", counted(report.exemplars, "exemplar"), training.onto);
+  }
+  return text + fmt::format("a hierarchy of {}, {} deep; learnt in {:.1f} s\n",
+                            counted(report.nodes, "node"), report.depth, report.seconds);
 }
 
-nlohmann::ordered_json to_json(const exemplar::TrainingReport& report) {
-  return {{"episodes", report.episodes},
-          {"frames", report.frames},
-          {"exemplars", report.exemplars},
-          {"disturbed", report.disturbed},
-          {"red_seen", report.red_seen},
-          {"green_seen", report.green_seen},
-          {"nodes", report.nodes},
-          {"depth", report.depth},
-          {"seconds", {{"whole", report.seconds}}}};
+nlohmann::ordered_json to_json(const ExemplarTraining& training) {
+  const exemplar::TrainingReport& report = training.report;
+  return {{"episodes", report.episodes},     {"frames", report.frames},
+          {"exemplars", report.exemplars},   {"onto", training.onto},
+          {"disturbed", report.disturbed},   {"red_seen", report.red_seen},
+          {"green_seen", report.green_seen}, {"nodes", report.nodes},
+          {"depth", report.depth},           {"seconds", {{"whole", report.seconds}}}};
 }
 
 std::string to_text(const baselines::TrainingReport& report) {

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/check.h"
+
 namespace pacer {
 namespace {
 
@@ -30,7 +32,7 @@ struct Header {
   std::uint32_t kind = 0;
   std::uint64_t size = 0;
 };
-enum Kind : std::uint32_t { kStarted = 0, kDone = 1, kFailed = 2 };
+enum Kind : std::uint32_t { kStarted = 0, kDone = 1, kFailed = 2, kMisused = 3 };
 
 class FileDescriptor {
  public:
@@ -112,6 +114,8 @@ void be_modest() {
     send(results, index, kStarted, "");
     try {
       send(results, index, kDone, task(index));
+    } catch (const UsageError& error) {
+      send(results, index, kMisused, error.what());
     } catch (const std::exception& error) {
       send(results, index, kFailed, error.what());
     }
@@ -225,6 +229,7 @@ bool run_in_workers(int jobs, std::span<const std::uint32_t> indices, const Work
   std::size_t handed = 0;
   Crew crew(std::max(jobs, 1), indices, task);
   const auto take = [&](const Header& header, std::string text) {
+    if (header.kind == kMisused) throw UsageError(text);
     if (header.kind == kFailed) throw std::runtime_error(text);
     if (header.kind == kDone) waiting.emplace(header.index, std::move(text));
     while (handed < indices.size()) {

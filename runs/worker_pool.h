@@ -23,7 +23,8 @@ using ResultSink = std::function<void(std::uint32_t index, std::string result)>;
 ///
 /// Returns false when `stop` ended it early: workers are told to end at once, and what came in
 /// order before that has been handed to `on_result`.
-/// Throws std::runtime_error with the worker's message when a task throws, and says which index
+/// Throws std::runtime_error with the worker's message when a task throws, UsageError when it
+/// threw one, and says which index
 /// was lost when a worker dies.
 bool run_in_workers(int jobs, std::span<const std::uint32_t> indices, const WorkerTask& task,
                     const ResultSink& on_result, const std::stop_token& stop,

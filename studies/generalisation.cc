@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "learning/exemplar/nn_pa.h"
@@ -30,23 +26,10 @@ struct Errors {
   double nn_pa_standardised = 0.0;
 };
 
-struct Split {
-  std::vector<std::size_t> trained, held_out;
-};
-
-/// By Fisher and Yates.
-Split draw_split(std::size_t count, Random random) {
-  std::vector<std::size_t> shuffled(count);
-  std::iota(shuffled.begin(), shuffled.end(), std::size_t{0});
-  for (std::size_t i = count; i > 1; --i) std::swap(shuffled[i - 1], shuffled[random.below(i)]);
-  const auto middle = shuffled.begin() + static_cast<std::ptrdiff_t>(
-                                             std::lround(kTrained * static_cast<double>(count)));
-  return {.trained = {shuffled.begin(), middle}, .held_out = {middle, shuffled.end()}};
-}
-
 /// Each held-out exemplar is a first percept, without one before.
-Errors errors_on(const Exemplars& exemplars, const Split& split, const std::vector<double>& taus,
-                 const exemplar::HierarchyConfig& config, const Random& random) {
+Errors errors_on(const Exemplars& exemplars, const chapter5::Split& split,
+                 const std::vector<double>& taus, const exemplar::HierarchyConfig& config,
+                 const Random& random) {
   const Exemplars trained = exemplars.subset(split.trained);
   const exemplar::Hierarchy hierarchy(trained, config);
   exemplar::Searcher searcher(hierarchy);
@@ -94,30 +77,6 @@ void add(const Errors& one, Errors& sum) {
   sum.nn_pa_standardised += one.nn_pa_standardised / kSplits;
 }
 
-/// The first tau from which on the error stays within a twentieth of its mean from there on.
-double plateau_start(const std::vector<double>& taus, const std::vector<double>& errors) {
-  constexpr double kFlat = 1.05;
-  for (std::size_t t = 0; t < taus.size(); ++t) {
-    const auto from = errors.begin() + static_cast<std::ptrdiff_t>(t);
-    const double mean =
-        std::accumulate(from, errors.end(), 0.0) / static_cast<double>(errors.size() - t);
-    if (*std::max_element(from, errors.end()) <= kFlat * mean) return taus[t];
-  }
-  return taus.back();
-}
-
-/// The mean error from `start` on.
-double level(const std::vector<double>& taus, const std::vector<double>& errors, double start) {
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t t = 0; t < taus.size(); ++t) {
-    if (taus[t] < start) continue;
-    sum += errors[t];
-    ++count;
-  }
-  return sum / count;
-}
-
 void add_chart(const std::vector<double>& taus, const Errors& mean, const Errors& one,
                report::Page& page) {
   const std::vector<double> ends = {taus.front(), taus.back()};
@@ -154,16 +113,17 @@ StudyResult study_generalisation(const StudyContext& context, report::Page& page
   for (int split = 0; split < kSplits; ++split) {
     if (context.control.stop.stop_requested()) throw StudyStopped();
     const Random of_split = random.fork("split", static_cast<std::uint64_t>(split));
-    const Errors errors = errors_on(exemplars, draw_split(exemplars.size(), of_split), taus, config,
-                                    of_split.fork("responses"));
+    const Errors errors =
+        errors_on(exemplars, chapter5::draw_split(exemplars.size(), kTrained, of_split), taus,
+                  config, of_split.fork("responses"));
     if (split == 0) first = errors;
     add(errors, mean);
     context.control.progress(static_cast<std::uint64_t>(split) + 1, kSplits, "splits");
   }
 
-  const double start = plateau_start(taus, mean.sampled);
-  const double plateau = level(taus, mean.sampled, start);
-  const double consistent = level(taus, mean.consistent, start);
+  const double start = chapter5::plateau_start(taus, mean.sampled);
+  const double plateau = chapter5::level(taus, mean.sampled, start);
+  const double consistent = chapter5::level(taus, mean.consistent, start);
   StudyResult result;
   result.figures = {
       {"plateau_over_nn_pa", plateau / mean.nn_pa},

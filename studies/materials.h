@@ -60,7 +60,9 @@ class Materials {
 
 /// Thrown when a stop was requested before a study was done.
 struct StudyStopped : std::runtime_error {
-  StudyStopped() : std::runtime_error("interrupted: the same command goes on from here") {}
+  StudyStopped()
+      : std::runtime_error(
+            "interrupted: the same command begins anew, with the recordings and models it has") {}
 };
 
 /// Keeps this process, and those it starts, on one core while it lives: on the one at `which` of

@@ -31,10 +31,10 @@ std::array<std::optional<MserBalloons::Seen>, exemplar::kNames> MserBalloons::fi
       colour += Eigen::Vector3d(rgb[0], rgb[1], rgb[2]);
       sum += Eigen::Vector2d(at.x, at.y);
     }
-    const exemplar::Name name = table_.name(colour);
+    const auto area = static_cast<double>(region.size());
+    const exemplar::Name name = table_.name(colour / area, area);
     if (name == exemplar::Name::kNone) continue;
     std::optional<Seen>& one = seen.at(static_cast<std::size_t>(name));
-    const auto area = static_cast<double>(region.size());
     if (!one || area > one->area) one = Seen{.centroid = sum / area, .area = area};
   }
   return seen;

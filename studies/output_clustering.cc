@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "learning/affordance/kmeans.h"
 #include "runs/report/charts.h"
+#include "studies/chapter5.h"
 #include "studies/studies.h"
 
 namespace pacer {
@@ -70,46 +70,23 @@ std::vector<std::size_t> clustered(const std::vector<float>& samples, int dimens
   return labels;
 }
 
-/// The variance of `values` (N x width, column `column`) within `labels`, over that of all: 0 where
-/// a cluster has one value, 1 where clusters say nothing about it.
-double spread_within(const std::vector<float>& values, std::size_t width, std::size_t column,
-                     const std::vector<std::size_t>& labels) {
-  const std::size_t clusters = *std::ranges::max_element(labels) + 1;
-  const auto scatter = [&](std::size_t from, std::size_t to) {
-    double count = 0.0;
-    double mean = 0.0;
-    double sum = 0.0;
-    for (std::size_t n = 0; n < labels.size(); ++n) {
-      if (labels[n] < from || labels[n] >= to) continue;
-      const auto value = static_cast<double>(values[n * width + column]);
-      count += 1.0;
-      const double off = value - mean;
-      mean += off / count;
-      sum += off * (value - mean);
-    }
-    return sum;
-  };
-  double within = 0.0;
-  for (std::size_t c = 0; c < clusters; ++c) within += scatter(c, c + 1);
-  return within / scatter(0, clusters);
+std::string cluster_name(const char* of, std::size_t cluster) {
+  return fmt::format("{} {}", of, cluster + 1);
 }
 
 report::Chart scatter(const std::vector<float>& values, std::size_t width, std::size_t x,
                       std::size_t y, const std::array<std::string, 2>& axes,
-                      const std::vector<std::size_t>& labels, const char* caption) {
+                      const std::vector<std::size_t>& labels, const char* of,
+                      const report::Palette& palette, const char* caption) {
   std::vector<report::Cloud> clouds;
-  std::vector<std::string> names;
   for (std::size_t c = 0; c <= *std::ranges::max_element(labels); ++c) {
-    names.push_back(fmt::format("cluster {}", c + 1));
-    clouds.push_back({.name = names.back(), .x = {}, .y = {}});
+    clouds.push_back({.name = cluster_name(of, c), .x = {}, .y = {}});
   }
   for (std::size_t n = 0; n < labels.size(); ++n) {
     clouds[labels[n]].x.push_back(static_cast<double>(values[n * width + x]));
     clouds[labels[n]].y.push_back(static_cast<double>(values[n * width + y]));
   }
-  return {
-      report::scatter_chart(clouds, {.title = axes[0]}, {.title = axes[1]}, report::Palette(names)),
-      caption};
+  return {report::scatter_chart(clouds, {.title = axes[0]}, {.title = axes[1]}, palette), caption};
 }
 
 }  // namespace
@@ -126,12 +103,13 @@ StudyResult study_output_clustering(const StudyContext& context, report::Page& p
 
   // How much of each number's variance is left within the clusters.
   const auto actions_within = [&](const std::vector<std::size_t>& labels) {
-    return 0.5 *
-           (spread_within(set.actions, 2, 0, labels) + spread_within(set.actions, 2, 1, labels));
+    return 0.5 * (chapter5::spread_within(set.actions, 2, 0, labels) +
+                  chapter5::spread_within(set.actions, 2, 1, labels));
   };
-  const double position_by_action = std::max(spread_within(set.percepts, 3, 0, by_action),
-                                             spread_within(set.percepts, 3, 1, by_action));
-  const double colour_by_action = spread_within(set.percepts, 3, 2, by_action);
+  const double position_by_action =
+      std::max(chapter5::spread_within(set.percepts, 3, 0, by_action),
+               chapter5::spread_within(set.percepts, 3, 1, by_action));
+  const double colour_by_action = chapter5::spread_within(set.percepts, 3, 2, by_action);
   StudyResult result;
   result.figures = {
       {"percepts", set.position.size()},
@@ -140,7 +118,7 @@ StudyResult study_output_clustering(const StudyContext& context, report::Page& p
       {"actions_within_action_clusters", actions_within(by_action)},
       {"position_within_action_clusters", position_by_action},
       {"colour_within_action_clusters", colour_by_action},
-      {"colour_within_percept_clusters", spread_within(set.percepts, 3, 2, by_percept)}};
+      {"colour_within_percept_clusters", chapter5::spread_within(set.percepts, 3, 2, by_percept)}};
   result.claims = {
       at_least("actions_within_percept_clusters",
                "Figure 5.4 (b): clusters of percepts are no groups of actions",
@@ -153,15 +131,32 @@ StudyResult study_output_clustering(const StudyContext& context, report::Page& p
       at_least("colour_within_action_clusters", "Figure 5.4 (d): and its colour is anything",
                colour_by_action, 0.9)};
 
+  // Clusters of actions first: what nine colours cannot tell apart are the others.
+  constexpr const char* kOfActions = "of actions";
+  constexpr const char* kOfPercepts = "of percepts";
+  std::vector<std::string> names;
+  for (const char* of : {kOfActions, kOfPercepts}) {
+    for (std::size_t c = 0; c < kPositions; ++c) names.push_back(cluster_name(of, c));
+  }
+  const report::Palette palette(names);
+  page.lead().paragraph(
+      "A percept is three numbers: position x, position y and colour. Panels (a) and (d) draw x "
+      "and "
+      "colour; y is not drawn, so that clusters which differ in y alone lie in the same spot. "
+      "Panels (a) and (b) show the clusters of the percepts, (c) and (d) those of the actions: "
+      "these "
+      "are other clusters, with colours of their own.");
   page.section("Figure 5.4: clustering percepts, and clustering actions")
-      .chart(scatter(set.percepts, 3, 0, 2, {"position x", "colour"}, by_percept,
-                     "(a) Clusters of the percepts, in the percepts."))
-      .chart(scatter(set.actions, 2, 0, 1, {"action 1", "action 2"}, by_percept,
-                     "(b) The same clusters, in the actions: they overlap."))
-      .chart(scatter(set.actions, 2, 0, 1, {"action 1", "action 2"}, by_action,
+      .chart(scatter(set.percepts, 3, 0, 2, {"position x", "colour"}, by_percept, kOfPercepts,
+                     palette, "(a) Clusters of the percepts, in the percepts."))
+      .chart(scatter(set.actions, 2, 0, 1, {"action 1", "action 2"}, by_percept, kOfPercepts,
+                     palette, "(b) The same clusters, in the actions: they overlap."))
+      .chart(scatter(set.actions, 2, 0, 1, {"action 1", "action 2"}, by_action, kOfActions, palette,
                      "(c) Clusters of the actions, in the actions."))
-      .chart(scatter(set.percepts, 3, 0, 2, {"position x", "colour"}, by_action,
-                     "(d) The same clusters, in the percepts: one place, whatever the colour."));
+      .chart(scatter(set.percepts, 3, 0, 2, {"position x", "colour"}, by_action, kOfActions,
+                     palette,
+                     "(d) The same clusters, in the percepts: one place, whatever the colour. Two "
+                     "clusters of one x differ in y."));
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 
 #include "core/check.h"
@@ -33,6 +34,16 @@ void make_folder(const std::filesystem::path& folder) {
   }
 }
 
+/// A study drives as its own scenario does; with the other goal it would measure nothing.
+void require_goal(const Study& study, const Scenario& scenario) {
+  const char* const goal = study.scenario == "balloon" ? "reach" : "follow";
+  if (scenario.goal == goal) return;
+  throw UsageError(
+      fmt::format("study {}: is measured with goal: {}, and scenario {} has goal: {}; name one "
+                  "such as scenarios/{}.yaml",
+                  study.name, goal, scenario.name, scenario.goal, study.scenario));
+}
+
 /// The result of an earlier run of the same program and scenario; null when there is none.
 ordered_json earlier(const std::filesystem::path& file, const std::string& made_of) {
   std::ifstream stream(file);
@@ -43,9 +54,11 @@ ordered_json earlier(const std::filesystem::path& file, const std::string& made_
 
 /// A claim as a row: the study, what is claimed, and what was measured.
 report::Row row_of(const std::string& study, const ordered_json& claim) {
+  const ordered_json& measured = claim["measured"];  // null in a file where it was not finite
   return {
       .cells = {study, claim["name"].get<std::string>(), claim["thesis"].get<std::string>(),
-                claim["bound"].get<std::string>(), claim["measured"].get<double>(),
+                claim["bound"].get<std::string>(),
+                measured.is_number() ? measured.get<double>() : std::nan(""),
                 claim["holds"].get<bool>() ? report::Verdict::kHolds : report::Verdict::kShort}};
 }
 
@@ -136,6 +149,7 @@ const Study& find_study(const std::string& name) {
 }
 
 ordered_json run_study(const Study& study, const StudyContext& context) {
+  require_goal(study, context.scenario);
   const auto start = std::chrono::steady_clock::now();
   report::Page page(study.name, study.about);
   const StudyResult result = study.run(context, page);
@@ -154,6 +168,7 @@ ordered_json run_study(const Study& study, const StudyContext& context) {
 ordered_json run_all_studies(StudyContext context,
                              const std::function<void(const Study&, StudyContext&)>& set_scenes) {
   if (context.out.empty()) throw UsageError("study all: --out names the folder of its page");
+  for (const Study& study : studies()) require_goal(study, scenario_of(study));
   ordered_json results = ordered_json::object();
   for (const Study& study : studies()) {
     set_scenes(study, context);

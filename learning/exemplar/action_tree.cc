@@ -140,16 +140,8 @@ NodeId ActionTree::insert(const Exemplars& exemplars) {
   // Whatever starts at or after the end of this leaf moves along by one.
   const std::uint32_t place = nodes_[node].first + nodes_[node].count;
   order_.insert(order_.begin() + place, added);
-  std::vector<NodeId> path;  // nodes that hold the new exemplar do not move
-  for (NodeId up = node; up != kNoNode; up = nodes_[up].parent) path.push_back(up);
-  std::ranges::sort(path);
-  auto on_path = path.begin();
-  for (NodeId other = 0; other < nodes_.size(); ++other) {
-    if (on_path != path.end() && *on_path == other) {
-      ++on_path;
-    } else if (nodes_[other].first >= place) {
-      ++nodes_[other].first;
-    }
+  for (Node& other : nodes_) {
+    if (other.first >= place) ++other.first;
   }
   ++nodes_[node].count;
 

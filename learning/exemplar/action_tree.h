@@ -20,8 +20,9 @@ inline constexpr NodeId kNoNode = ~NodeId{0};
 /// once or many times, is a leaf.
 ///
 /// The guard: actions can be arranged so that middles peel off one at a time. From
-/// kMidpointDepth on, a cut goes through the median instead, so that the depth stays within
-/// kMidpointDepth + 2 j + 2 log2 N and building is O(N log N) whatever the actions.
+/// kMidpointDepth on, a cut goes through the median instead, so that the depth of what is built
+/// stays within kMidpointDepth + 2 j + 2 log2 N and building is O(N log N) whatever the actions.
+/// insert() knows no medians: such actions, one by one, make it one deeper each.
 class ActionTree {
  public:
   static constexpr int kMidpointDepth = 96;
@@ -51,7 +52,7 @@ class ActionTree {
   /// Puts the last of `exemplars` in its leaf, which is cut in two by the same rule when it holds
   /// another action: the old one's exemplars and the new one become the last two nodes. The cell of
   /// the root grows where the action lies outside. Returns the new exemplar's leaf. Moving
-  /// the order costs O(N); nothing else does.
+  /// the order costs O(N); nothing else does but the depth.
   NodeId insert(const Exemplars& exemplars);
 
  private:

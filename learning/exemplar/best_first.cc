@@ -71,7 +71,8 @@ void BestFirstSearcher::look_in(std::size_t bucket, float& least) {
 
 const Found& BestFirstSearcher::find(std::span<const double> percept, double tau) {
   const Exemplars& exemplars = hierarchy_.exemplars();
-  check(index_.exemplars() == exemplars.size(), "the index is of the hierarchy as it is");
+  check(index_.exemplars() == exemplars.size() && asked_.size() == hierarchy_.tree().nodes().size(),
+        "the index and the searcher are of the hierarchy as it is");
   require_percept(percept, exemplars.percept_size());
   if (!hierarchy_.has_model(0)) return every_branch_.find(percept, tau);
   found_.visited = 0;

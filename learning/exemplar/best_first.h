@@ -18,7 +18,7 @@ namespace pacer::exemplar {
 /// matches, it searches as Searcher does.
 class BestFirstSearcher {
  public:
-  /// Neither is owned. One searcher for each thread.
+  /// Neither is owned. One searcher for each thread, and a new one once the hierarchy has learnt.
   BestFirstSearcher(const Hierarchy& hierarchy, const NodeIndex& index);
 
   /// As Searcher::find(); `candidates` are the nearest few twigs, and `visited` counts the means

@@ -16,24 +16,44 @@ Eigen::Vector3d shares_of(const NamedColour& entry, double tint) {
   return colour / colour.sum();
 }
 
+/// The least distance between the shares of two things, each in light from cool to warm.
+double least_distance(const NamedColour& one, const NamedColour& other) {
+  constexpr int kSteps = 10;
+  const auto tint = [](const NamedColour& entry, int step) {
+    return entry.tint * (2.0 * step / kSteps - 1.0);
+  };
+  double least = 2.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const Eigen::Vector3d apart = shares_of(one, tint(one, i)) - shares_of(other, tint(other, j));
+      least = std::min(least, apart.norm());
+    }
+  }
+  return least;
+}
+
 }  // namespace
 
 void NamedColour::validate() const {
   for (const auto& [field, value] : {std::pair{"red", red}, {"green", green}, {"blue", blue}}) {
-    require(value >= 0.0 && value <= 1e6, std::string(field) + ": must lie in [0, 1e6]");
+    require(value >= 0.0 && value <= 255.0, std::string(field) + ": must lie in [0, 255]");
   }
   require(red + green + blue > 0.0, "red, green, blue: black has no colour to tell it by");
-  require(tint >= 0.0 && tint < 1.0, "tint: must lie in [0, 1)");
+  require(tint >= 0.01 && tint <= 0.5, "tint: must lie in [0.01, 0.5]");
   require(dimmest >= 0.0 && dimmest <= 3.0, "dimmest: must lie in [0, 3]");
 }
 
 void ColourTableConfig::validate() const {
   validate_section("red_balloon", red_balloon);
   validate_section("green_balloon", green_balloon);
-  require(tolerance >= 0.0 && tolerance <= 1.0, "tolerance: must lie in [0, 1]");
+  require(tolerance >= 0.001 && tolerance <= 0.1, "tolerance: must lie in [0.001, 0.1]");
   require(grain >= 0.0 && grain <= 1.0, "grain: must lie in [0, 1]");
   require(dark >= 0.0 && dark <= 10.0, "dark: must lie in [0, 10]");
   require(mixed >= 0.0 && mixed <= 1.0, "mixed: must lie in [0, 1]");
+  require(
+      least_distance(red_balloon, green_balloon) > 2.0 * tolerance,
+      "green_balloon: is too like red_balloon, by its shares of red, green and blue, to be told "
+      "from it");
 }
 
 ColourTable::ColourTable(const ColourTableConfig& config) : config_(config) {

@@ -38,7 +38,9 @@ Correspondence::Correspondence(const Exemplars& exemplars) {
     std::vector<double> distances;
     for (const Features& one : seen) {
       const Features off = one - kind.mean;
-      distances.push_back(off.dot(kind.inverse * off));
+      const double squared = off.dot(kind.inverse * off);
+      // Models are read from files: numbers beyond measure are far from all, and can be sorted.
+      distances.push_back(std::isnan(squared) ? std::numeric_limits<double>::infinity() : squared);
     }
     std::ranges::sort(distances);
     const auto last = static_cast<std::size_t>(kFitting * (count - 1.0));

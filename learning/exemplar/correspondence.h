@@ -13,7 +13,8 @@ namespace pacer::exemplar {
 /// Which of a picture's blobs are the two that a percept is of, without a colour table: by what the
 /// exemplars' percepts are like. The thesis orders blobs by a table, and names that as its limit
 /// (6.1); here each half of the percept has a Gaussian over the exemplars in which it was seen, of
-/// size, place, shape and colour together, and takes the blob that is nearest to it.
+/// size, place, shape and colour together, and takes the blob that is nearest to it. Only driving
+/// is without the table: it named the balloons of the exemplars as they were learnt.
 class Correspondence {
  public:
   /// `exemplars` are of kPerceptSize numbers; those of one balloon that never was seen name none.

@@ -7,18 +7,12 @@
 #include <cstring>
 
 #include "core/check.h"
+#include "learning/exemplar/lanes.h"
 
 namespace pacer::exemplar {
 namespace {
 
-constexpr std::size_t kRows = 4;
-using Lanes [[gnu::vector_size(kRows * sizeof(float))]] = float;
-
-Lanes loaded(const float* from) noexcept {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
+constexpr std::size_t kRows = kLanes;
 
 }  // namespace
 
@@ -39,6 +33,18 @@ Gaussian fit_gaussian(std::span<const double> points, std::size_t d) {
   return gaussian;
 }
 
+void factorise(const Eigen::MatrixXd& covariance, Eigen::MatrixXd& factor) {
+  constexpr int kAttempts = 12;  // the last raises by a tenth of the greatest variance
+  const double greatest = covariance.diagonal().maxCoeff();
+  for (int attempt = 0; attempt <= kAttempts; ++attempt) {
+    factor = covariance;
+    if (attempt > 0) factor.diagonal().array() += greatest * std::pow(10.0, attempt - 13);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(factor);
+    if (llt.info() == Eigen::Success) return;
+  }
+  check(false, "a regularised covariance is positive definite, but for rounding");
+}
+
 DistanceLayout::DistanceLayout(std::size_t d)
     : d_(d), padded_((d + kRows - 1) / kRows * kRows), size_(padded_) {
   for (std::size_t row = 0; row < d; row += kRows) size_ += kRows * std::min(row + kRows, d);
@@ -47,8 +53,7 @@ DistanceLayout::DistanceLayout(std::size_t d)
 void DistanceLayout::write(std::span<const double> mean, const Eigen::MatrixXd& covariance,
                            Eigen::MatrixXd& factor, std::span<float> place) const {
   const auto d = static_cast<Eigen::Index>(d_);
-  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(factor = covariance);
-  check(llt.info() == Eigen::Success, "a regularised covariance is positive definite");
+  factorise(covariance, factor);
   // The inverse in place, column by column from the last.
   for (Eigen::Index c = d - 1; c >= 0; --c) {
     const double inverse = 1.0 / factor(c, c);
@@ -97,7 +102,7 @@ float DistanceLayout::squared_distance(const float* gaussian, const float* point
     }
     even += odd;
     even *= even;
-    sum += (even[0] + even[2]) + (even[1] + even[3]);
+    sum += sum_of(even);
     if (sum >= bound) return sum;
   }
   return sum;

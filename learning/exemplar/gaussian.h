@@ -21,6 +21,11 @@ struct Gaussian {
 /// Maximum likelihood, (5.3) and (5.4), of N x d `points`, row-major, N > 0.
 [[nodiscard]] Gaussian fit_gaussian(std::span<const double> points, std::size_t d);
 
+/// The lower Cholesky factor of a covariance, whose lower triangle is read; the upper one of
+/// `factor` is anything. Where rounding has left a covariance that should be positive definite
+/// indefinite, its variances are raised by as small a share of the greatest as mends it.
+void factorise(const Eigen::MatrixXd& covariance, Eigen::MatrixXd& factor);
+
 /// How the Mahalanobis distance to a Gaussian of d numbers is laid out for the search: the mean,
 /// then the inverse of the covariance's Cholesky factor in blocks of four rows, column by column.
 /// Each block adds four squares to the distance, so a point that is far away is known early.
@@ -31,7 +36,7 @@ class DistanceLayout {
   [[nodiscard]] std::size_t size() const noexcept { return size_; }      ///< floats of a Gaussian
   [[nodiscard]] std::size_t padded() const noexcept { return padded_; }  ///< floats of a point
 
-  /// `factor` is scratch, d x d. `covariance`'s lower triangle is read, and is positive definite.
+  /// `factor` is scratch, d x d. `covariance` is as factorise() takes it.
   void write(std::span<const double> mean, const Eigen::MatrixXd& covariance,
              Eigen::MatrixXd& factor, std::span<float> place) const;
 

@@ -6,13 +6,14 @@
 #include <numbers>
 
 #include "core/check.h"
+#include "learning/exemplar/percept.h"
+#include "learning/exemplar/response.h"
 
 namespace pacer::exemplar {
 namespace {
 
 constexpr double kWidth = 320.0;
 constexpr double kHeight = 240.0;
-constexpr std::size_t kBlobSize = 9;
 
 /// Where a balloon is drawn.
 struct Disc {
@@ -35,7 +36,7 @@ Disc place(const GeneratedExemplars& config, Random& random) {
 void append_blob(const Disc& disc, const double (&colour)[3], const GeneratedExemplars& config,
                  Random& random, std::vector<double>& percept) {
   if (!disc.in_view()) {
-    percept.insert(percept.end(), kBlobSize, 0.0);
+    percept.insert(percept.end(), kBalloonValues, 0.0);
     return;
   }
   const auto shape = [&](double value) {
@@ -80,8 +81,8 @@ Exemplars generate_exemplars(const GeneratedExemplars& config, Random random) {
   constexpr double kLargest = 40.0;  // pixels of radius at which the teacher drives slowest
   std::vector<double> percepts;
   std::vector<double> actions;
-  percepts.reserve(static_cast<std::size_t>(config.exemplars) * 2 * kBlobSize);
-  actions.reserve(static_cast<std::size_t>(config.exemplars) * 2);
+  percepts.reserve(static_cast<std::size_t>(config.exemplars) * kPerceptSize);
+  actions.reserve(static_cast<std::size_t>(config.exemplars) * kActionSize);
   for (int n = 0; n < config.exemplars; ++n) {
     const Disc red = place(config, random);
     const Disc green = place(config, random);
@@ -92,7 +93,7 @@ Exemplars generate_exemplars(const GeneratedExemplars& config, Random random) {
     actions.push_back(std::clamp(turn + random.normal(0.0, config.turn_scatter), -1.0, 1.0));
     actions.push_back(std::clamp(drive + random.normal(0.0, config.drive_scatter), 0.0, 1.0));
   }
-  return {2 * kBlobSize, 2, std::move(percepts), std::move(actions)};
+  return {kPerceptSize, kActionSize, std::move(percepts), std::move(actions)};
 }
 
 }  // namespace pacer::exemplar

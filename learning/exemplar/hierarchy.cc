@@ -17,26 +17,11 @@ const HierarchyConfig& validated(const HierarchyConfig& config) {
 
 Eigen::Index index(std::size_t value) { return static_cast<Eigen::Index>(value); }
 
-/// The mean and the standard deviation of all percepts; the covariance is not there yet.
-PerceptPrior scale_of(const Exemplars& exemplars) {
-  constexpr double kConstant = 1e-12;  // of the mean; a deviation below this is rounding
-  const std::size_t size = exemplars.percept_size();
-  const auto count = static_cast<double>(exemplars.size());
-  PerceptPrior prior{.mean = std::vector<double>(size), .inverse_sd = {}, .covariance = {}};
-  std::vector<double> squares(size);
-  for (std::size_t n = 0; n < exemplars.size(); ++n) {
-    for (std::size_t i = 0; i < size; ++i) prior.mean[i] += exemplars.percept(n)[i] / count;
-  }
-  for (std::size_t n = 0; n < exemplars.size(); ++n) {
-    for (std::size_t i = 0; i < size; ++i) {
-      squares[i] += std::pow(exemplars.percept(n)[i] - prior.mean[i], 2) / count;
-    }
-  }
-  for (std::size_t i = 0; i < size; ++i) {
-    const double sd = std::sqrt(squares[i]);
-    prior.inverse_sd.push_back(sd > kConstant * std::abs(prior.mean[i]) ? 1.0 / sd : 0.0);
-  }
-  return prior;
+/// `percept` in deviations. Beyond kFar it is as far away as can be told: squares that are greater
+/// drown what else is in a sum.
+double deviations(double percept, double mean, double inverse_sd) {
+  constexpr double kFar = 1e4;  // that of a million exemplars cannot be above 1e3
+  return std::clamp((percept - mean) * inverse_sd, -kFar, kFar);
 }
 
 }  // namespace
@@ -54,9 +39,9 @@ Hierarchy::Hierarchy(Exemplars exemplars, const HierarchyConfig& config, Percept
       models_(tree_.nodes().size(), kNoModel),
       percept_point_(moments_size(exemplars_.percept_size())),
       action_point_(moments_size(exemplars_.action_size())) {
-  const bool given = !prior_.mean.empty();
-  if (!given) prior_ = scale_of(exemplars_);
-  check(prior_.mean.size() == exemplars_.percept_size(), "the prior is of such percepts");
+  const bool given = !prior_.scale.mean.empty();
+  if (!given) prior_.scale = scale_of(exemplars_);
+  check(prior_.scale.mean.size() == exemplars_.percept_size(), "the prior is of such percepts");
   const auto models = static_cast<std::size_t>(std::ranges::count_if(
       tree_.nodes(), [](const ActionTree::Node& node) { return node.count > 1; }));
   percept_moments_.reserve(models * percept_point_.size());
@@ -96,7 +81,7 @@ void Hierarchy::standard_point(std::size_t exemplar, std::span<double> moments) 
   std::ranges::fill(moments, 0.0);
   const std::span<const double> percept = exemplars_.percept(exemplar);
   for (std::size_t i = 0; i < percept.size(); ++i) {
-    moments[i] = (percept[i] - prior_.mean[i]) * prior_.inverse_sd[i];
+    moments[i] = deviations(percept[i], prior_.scale.mean[i], prior_.scale.inverse_sd[i]);
   }
 }
 
@@ -167,7 +152,7 @@ void Hierarchy::finish(NodeId id) {
   write_sampling_factor(n, action_moments(model), exemplars_.action_size(), action_factor(model));
 }
 
-Gaussian Hierarchy::percept_model(NodeId node) const {
+Gaussian Hierarchy::standard_model(NodeId node) const {
   check(has_model(node), "the node has a model");
   const std::size_t size = exemplars_.percept_size();
   const std::span moments =
@@ -175,17 +160,32 @@ Gaussian Hierarchy::percept_model(NodeId node) const {
           .subspan(models_[node] * percept_point_.size(), percept_point_.size());
   const double n = tree_.nodes()[node].count;
   const double w = config_.prior_weight;
-  Gaussian gaussian{.mean = Eigen::VectorXd(index(size)), .covariance = scatter_of(moments, size)};
-  gaussian.covariance = (gaussian.covariance + w * prior_.covariance) / (n + w);
-  const auto sd = [&](std::size_t i) {
-    return prior_.inverse_sd[i] > 0.0 ? 1.0 / prior_.inverse_sd[i] : 0.0;
-  };
-  for (std::size_t i = 0; i < size; ++i) {
-    gaussian.mean[index(i)] = prior_.mean[i] + moments[i] * sd(i);
-    gaussian.covariance.row(index(i)) *= sd(i);
-    gaussian.covariance.col(index(i)) *= sd(i);
+  return {.mean = Eigen::Map<const Eigen::VectorXd>(moments.data(), index(size)),
+          .covariance = (scatter_of(moments, size) + w * prior_.covariance) / (n + w)};
+}
+
+Gaussian Hierarchy::percept_model(NodeId node) const {
+  Gaussian gaussian = standard_model(node);
+  for (std::size_t i = 0; i < exemplars_.percept_size(); ++i) {
+    const double inverse = prior_.scale.inverse_sd[i];
+    const double sd = inverse > 0.0 ? 1.0 / inverse : 0.0;
+    gaussian.mean[index(i)] = prior_.scale.mean[i] + gaussian.mean[index(i)] * sd;
+    gaussian.covariance.row(index(i)) *= sd;
+    gaussian.covariance.col(index(i)) *= sd;
   }
   return gaussian;
+}
+
+double Hierarchy::distance(NodeId node, std::span<const double> percept) const {
+  require_percept(percept, exemplars_.percept_size());
+  const Gaussian model = standard_model(node);
+  Eigen::VectorXd off = -model.mean;
+  for (std::size_t i = 0; i < percept.size(); ++i) {
+    off[index(i)] += deviations(percept[i], prior_.scale.mean[i], prior_.scale.inverse_sd[i]);
+  }
+  Eigen::MatrixXd factor;
+  factorise(model.covariance, factor);
+  return factor.triangularView<Eigen::Lower>().solve(off).norm();
 }
 
 std::span<const double> Hierarchy::action_mean(NodeId node) const noexcept {
@@ -244,11 +244,10 @@ NodeId Hierarchy::learn(std::span<const double> percept, std::span<const double>
 
 void Hierarchy::standardise(std::span<const double> percept,
                             std::span<float> point) const noexcept {
-  constexpr double kFar = 1e12;  // deviations; the squares of more are too much for a float
   std::ranges::fill(point, 0.0F);
   for (std::size_t i = 0; i < percept.size(); ++i) {
-    const double deviations = (percept[i] - prior_.mean[i]) * prior_.inverse_sd[i];
-    point[i] = static_cast<float>(std::clamp(deviations, -kFar, kFar));
+    point[i] = static_cast<float>(
+        deviations(percept[i], prior_.scale.mean[i], prior_.scale.inverse_sd[i]));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/random.h"
 #include "learning/exemplar/action_tree.h"
+#include "learning/exemplar/column_scale.h"
 #include "learning/exemplar/exemplars.h"
 #include "learning/exemplar/gaussian.h"
 #include "learning/exemplar/hierarchy_config.h"
@@ -19,9 +20,7 @@ namespace pacer::exemplar {
 /// In what units percepts are compared, and the prior of every node's covariance. Fixed when a
 /// hierarchy is built; online growth leaves it as it is.
 struct PerceptPrior {
-  std::vector<double> mean;  ///< of all percepts
-  std::vector<double>
-      inverse_sd;              ///< 0 for a number that never varied: it is left out of distances
+  ColumnScale scale;           ///< of all percepts
   Eigen::MatrixXd covariance;  ///< W, of standardised percepts
 };
 
@@ -52,8 +51,12 @@ class Hierarchy {
 
   [[nodiscard]] bool has_model(NodeId node) const noexcept { return models_[node] != kNoModel; }
   /// A node's percepts: (5.3), and the covariance as regularised, in the percepts' own units. Where
-  /// a number never varied its variance is 0. The node has a model.
+  /// a number never varied its variance is 0, and nothing can be told from that of its distance:
+  /// distance() leaves such numbers out. The node has a model.
   [[nodiscard]] Gaussian percept_model(NodeId node) const;
+  /// (5.5) in double precision, in the units that searches compare in, of a node with a model.
+  /// Throws std::invalid_argument when `percept` does not fit.
+  [[nodiscard]] double distance(NodeId node, std::span<const double> percept) const;
   /// A node's actions, (5.3) and (5.4). The node has a model.
   [[nodiscard]] Gaussian action_model(NodeId node) const;
 
@@ -65,14 +68,16 @@ class Hierarchy {
   void respond(NodeId node, Random& random, std::span<double> action) const noexcept;
 
   /// Learns one more exemplar without a rebuild: it goes to its place in the tree, and the models
-  /// above it change. O(depth * i^3), and O(N) to keep the order. Throws std::invalid_argument
-  /// when it does not fit, changing nothing. Returns its leaf.
+  /// above it change. The units and the prior stay those of the first, however different this one
+  /// is; building a hierarchy of all gives another. O(depth * i^3), and O(N) to keep the order.
+  /// Throws std::invalid_argument when it does not fit, changing nothing. Returns its leaf.
   NodeId learn(std::span<const double> percept, std::span<const double> action);
 
   // What the searches use.
   [[nodiscard]] const PerceptTable& percept_table() const noexcept { return table_; }
   [[nodiscard]] const DistanceLayout& layout() const noexcept { return layout_; }
-  /// `percept` as distances take it: standardised, layout().padded() floats.
+  /// `percept` as distances take it: standardised, 10^4 deviations at most, layout().padded()
+  /// floats.
   void standardise(std::span<const double> percept, std::span<float> point) const noexcept;
   /// The square of (5.5), of a node with a model; at least `bound` is as good as `bound`.
   [[nodiscard]] float squared_distance(NodeId node, const float* point, float bound,
@@ -89,6 +94,7 @@ class Hierarchy {
   [[nodiscard]] std::span<double> percept_moments(std::uint32_t model) noexcept;
   [[nodiscard]] std::span<double> action_moments(std::uint32_t model) noexcept;
   [[nodiscard]] std::span<double> action_factor(std::uint32_t model) noexcept;
+  [[nodiscard]] Gaussian standard_model(NodeId node) const;
   void standard_point(std::size_t exemplar, std::span<double> moments) const noexcept;
   void make_prior();
   void add_model(NodeId node);

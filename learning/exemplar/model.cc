@@ -2,12 +2,29 @@
 #include "learning/exemplar/model.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "learning/byte_stream.h"
 #include "learning/config_text.h"
 
 namespace pacer::exemplar {
 namespace {
+
+/// Whether pictures can be of this size, by far.
+bool drawable(const ImageSize& size) {
+  constexpr int kLongest = 16384;  // pixels
+  constexpr int kNarrowest = 16;   // of one side over the other
+  const auto [narrow, wide] = std::minmax(size.width, size.height);
+  return narrow > 0 && wide <= kLongest && wide / narrow <= kNarrowest;
+}
+
+/// Whether its inverse weighs changes of actions: it is symmetric, and its eigenvalues are neither
+/// near 0 nor beyond measure.
+bool usable_drift(const Eigen::Matrix2d& drift) {
+  constexpr double kMost = 1e6;  // stick^2; what was learnt lies between its floor and 4
+  return drift.allFinite() && drift(0, 1) == drift(1, 0) && drift.trace() > 0.0 &&
+         drift.trace() <= kMost && drift.determinant() >= drift.trace() / kMost;
+}
 
 std::string body(const Model& model) {
   ByteWriter out;
@@ -35,12 +52,12 @@ Model read_body(std::string_view bytes) {
   ImageSize size;
   size.width = in.value<std::int32_t>();
   size.height = in.value<std::int32_t>();
-  sane(size.width > 0 && size.height > 0, "image size");
+  sane(drawable(size), "image size");
   std::string scenario = in.text();
   std::string fingerprint = in.text();
   Eigen::Matrix2d drift;
   for (double& value : drift.reshaped()) value = in.value<double>();
-  sane(drift.allFinite() && drift.determinant() > 0.0 && drift.trace() > 0.0, "the actions' drift");
+  sane(usable_drift(drift), "the actions' drift");
   std::vector<double> percepts = in.sequence<double>();
   std::vector<double> actions = in.sequence<double>();
   sane(in.rest().empty(), "something follows the exemplars");

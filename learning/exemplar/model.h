@@ -21,7 +21,7 @@ struct Model {
   ImageSize image_size;     ///< of the demonstration; frames of another size are refused
   std::string scenario;     ///< that the demonstration was recorded in, as text
   std::string fingerprint;  ///< of the demonstration, and of those that it grew by
-  Eigen::Matrix2d drift;    ///< action_drift() of the demonstration
+  Eigen::Matrix2d drift;    ///< action_drift() of the demonstrations
   Hierarchy hierarchy;      ///< by `config.hierarchy`
 
   /// The number in the file that a change of its format or meaning raises.
@@ -29,9 +29,10 @@ struct Model {
   static constexpr SealedKind kFile{"PACEREXE", kVersion, "an exemplar model"};
 };
 
-/// The file's bytes. The same model: the same bytes. The exemplars and the settings are kept; the
-/// hierarchy is built anew on reading, which gives the same one, but for what was learnt online
-/// since it was built: that then has the place that building gives it.
+/// The file's bytes. The same model: the same bytes. The exemplars and the settings are kept, and
+/// the hierarchy is built anew on reading. That gives the same one, unless it has learnt online
+/// since it was built: then it is another, the one that training on all exemplars gives, with their
+/// units and their prior where it had those of the first.
 [[nodiscard]] std::string to_bytes(const Model& model);
 
 /// Reads what to_bytes() wrote. `bytes` are not trusted. Throws std::runtime_error naming `source`:

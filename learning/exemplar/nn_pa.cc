@@ -1,35 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/exemplar/nn_pa.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <nanoflann.hpp>
+
+#include "learning/exemplar/column_scale.h"
 
 namespace pacer::exemplar {
 namespace {
 
-/// 1, or one over each number's variance.
-std::vector<double> weights(const Exemplars& exemplars, PerceptUnits units) {
-  std::vector<double> weight(exemplars.percept_size(), 1.0);
-  if (units == PerceptUnits::kRaw) return weight;
-  constexpr double kConstant = 1e-24;  // of the squared mean; less variance is rounding
-  const auto count = static_cast<double>(exemplars.size());
-  for (std::size_t i = 0; i < weight.size(); ++i) {
-    double mean = 0.0;
-    double variance = 0.0;
-    for (std::size_t n = 0; n < exemplars.size(); ++n) mean += exemplars.percept(n)[i] / count;
-    for (std::size_t n = 0; n < exemplars.size(); ++n) {
-      variance += std::pow(exemplars.percept(n)[i] - mean, 2) / count;
-    }
-    weight[i] = variance > kConstant * mean * mean ? 1.0 / variance : 0.0;
-  }
-  return weight;
+/// What each number is multiplied by: 1, or one over its standard deviation.
+std::vector<double> scales(const Exemplars& exemplars, PerceptUnits units) {
+  if (units == PerceptUnits::kStandardised) return scale_of(exemplars).inverse_sd;
+  return std::vector<double>(exemplars.percept_size(), 1.0);
 }
+
+/// So that its square is a number.
+double bounded(double value) { return std::clamp(value, -kGreatest, kGreatest); }
 
 }  // namespace
 
 NnPa::NnPa(const Exemplars& exemplars, PerceptUnits units)
-    : exemplars_(exemplars), weight_(weights(exemplars, units)) {}
+    : exemplars_(exemplars), scale_(scales(exemplars, units)) {}
 
 std::size_t NnPa::nearest(std::span<const double> percept) const {
   require_percept(percept, exemplars_.percept_size());
@@ -39,7 +32,8 @@ std::size_t NnPa::nearest(std::span<const double> percept) const {
     const std::span<const double> other = exemplars_.percept(n);
     double sum = 0.0;
     for (std::size_t i = 0; i < percept.size(); ++i) {
-      sum += weight_[i] * (percept[i] - other[i]) * (percept[i] - other[i]);
+      const double apart = bounded(scale_[i] * (percept[i] - other[i]));
+      sum += apart * apart;
     }
     if (sum < least) {
       least = sum;
@@ -70,13 +64,12 @@ struct NnPaTree::Index {
   Points points;
   Tree tree;
 
-  Index(const Exemplars& exemplars, std::vector<double> weight)
-      : scale(std::move(weight)),
+  Index(const Exemplars& exemplars, std::vector<double> scale_by)
+      : scale(std::move(scale_by)),
         points{.values = {}, .size = exemplars.percept_size()},
         tree(static_cast<int>(points.size), points,
              nanoflann::KDTreeSingleIndexAdaptorParams(
                  16, nanoflann::KDTreeSingleIndexAdaptorFlags::SkipInitialBuildIndex)) {
-    for (double& value : scale) value = std::sqrt(value);
     points.values.assign(exemplars.percepts().begin(), exemplars.percepts().end());
     for (std::size_t k = 0; k < points.values.size(); ++k) {
       points.values[k] *= scale[k % points.size];
@@ -86,14 +79,14 @@ struct NnPaTree::Index {
 };
 
 NnPaTree::NnPaTree(const Exemplars& exemplars, PerceptUnits units)
-    : index_(std::make_unique<Index>(exemplars, weights(exemplars, units))) {}
+    : index_(std::make_unique<Index>(exemplars, scales(exemplars, units))) {}
 NnPaTree::~NnPaTree() = default;
 NnPaTree::NnPaTree(NnPaTree&&) noexcept = default;
 
 std::size_t NnPaTree::nearest(std::span<const double> percept) const {
   require_percept(percept, index_->points.size);
   std::vector<double> point(percept.begin(), percept.end());
-  for (std::size_t i = 0; i < point.size(); ++i) point[i] *= index_->scale[i];
+  for (std::size_t i = 0; i < point.size(); ++i) point[i] = bounded(point[i] * index_->scale[i]);
   std::size_t nearest = 0;
   double squared = 0.0;
   index_->tree.knnSearch(point.data(), 1, &nearest, &squared);

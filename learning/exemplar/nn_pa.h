@@ -29,7 +29,7 @@ class NnPa {
 
  private:
   const Exemplars& exemplars_;
-  std::vector<double> weight_;  // of each number's squared difference
+  std::vector<double> scale_;  // what each number is multiplied by
 };
 
 /// The same by a KD-tree on the percepts (5.1.1): nanoflann's.

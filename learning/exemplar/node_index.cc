@@ -4,25 +4,16 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <numeric>
+
+#include "learning/exemplar/lanes.h"
 
 namespace pacer::exemplar {
 namespace {
 
 constexpr std::size_t kBucket = 32;  // means at most
-constexpr std::size_t kLanes = 4;
-using Lanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
-
-Lanes loaded(const float* from) noexcept {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-float sum_of(const Lanes& lanes) noexcept { return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]); }
 
 bool is_twig(const Hierarchy& hierarchy, NodeId id) {
   const ActionTree::Node& node = hierarchy.tree().nodes()[id];

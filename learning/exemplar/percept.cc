@@ -34,7 +34,7 @@ void PerceptConfig::validate() const {
 }
 
 PerceptConfig of_videos(PerceptConfig config) {
-  config.colours.tolerance = std::min(1.5 * config.colours.tolerance, 1.0);
+  config.colours.tolerance = std::min(1.5 * config.colours.tolerance, 0.1);
   config.colours.dark = std::min(4.0 * config.colours.dark, 10.0);
   // Just beyond a balloon's edge its own colour is still about.
   config.balloons.small_step *= 0.5;

@@ -50,13 +50,20 @@ void PerceptTable::add(const Exemplars& exemplars, const ActionTree& tree, NodeI
   if (parent != kNoNode) {
     const ActionTree::Node& above = tree.nodes()[parent];
     const NodeId sibling = above.left == leaf ? above.right : above.left;
-    for (Entry& entry : entries_) {
-      if (entry.leaf == parent) entry.leaf = sibling;
+    // It has a greater number than all leaves here, so they go behind those of the same hash.
+    auto moved = std::ranges::find(entries_, parent, &Entry::leaf);
+    while (moved != entries_.end()) {
+      const auto last = std::find_if(moved, entries_.end(),
+                                     [&](const Entry& entry) { return entry.hash != moved->hash; });
+      moved = std::stable_partition(moved, last,
+                                    [&](const Entry& entry) { return entry.leaf != parent; });
+      for (; moved != last; ++moved) moved->leaf = sibling;
+      moved = std::ranges::find(last, entries_.end(), parent, &Entry::leaf);
     }
   }
   const auto added = static_cast<std::uint32_t>(exemplars.size() - 1);
-  entries_.push_back({.hash = hash_of(exemplars.percept(added)), .leaf = leaf, .exemplar = added});
-  std::ranges::sort(entries_);
+  const Entry entry{.hash = hash_of(exemplars.percept(added)), .leaf = leaf, .exemplar = added};
+  entries_.insert(std::ranges::upper_bound(entries_, entry), entry);
 }
 
 bool holds(std::span<const PerceptTable::Entry> candidates, NodeId leaf,

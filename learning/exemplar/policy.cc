@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
 #include <utility>
+
+#include "core/check.h"
 
 namespace pacer::exemplar {
 
@@ -21,7 +22,7 @@ ExemplarPolicy::ExemplarPolicy(std::shared_ptr<const Model> model, const Random&
 Command ExemplarPolicy::act(const Observation& observation, Annotations& annotations) {
   const Frame& frame = observation.frame;
   if (frame.size != model_->image_size) {
-    throw std::runtime_error(fmt::format(
+    throw UsageError(fmt::format(
         "a picture of {} x {}, and the model was learnt from {} x {}; train it on "
         "pictures of this size",
         frame.size.width, frame.size.height, model_->image_size.width, model_->image_size.height));

@@ -2,6 +2,7 @@
 #include "learning/exemplar/search.h"
 
 #include <cmath>
+#include <limits>
 
 namespace pacer::exemplar {
 
@@ -21,18 +22,21 @@ const Found& Searcher::find(std::span<const double> percept, double tau) {
   found_.candidates.clear();
   open_.clear();
 
-  // u of (5.8); leaves match on equality.
-  const auto match = [&](NodeId node, float& squared) {
+  // u of (5.8); leaves match on equality. Of what does not match, the distance is at least
+  // `enough`.
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const auto match = [&](NodeId node, float enough, float& squared) {
     ++found_.visited;
     squared = 0.0F;
     if (!equal.empty() && nodes[node].leaf() && holds(equal, node, percept, exemplars)) return true;
+    squared = kInfinity;
     if (!hierarchy_.has_model(node)) return false;
-    squared = hierarchy_.squared_distance(node, point_.data(), bound, scratch_.data());
+    squared = hierarchy_.squared_distance(node, point_.data(), enough, scratch_.data());
     return squared < bound;
   };
 
   float squared = 0.0F;
-  found_.matched = match(0, squared);
+  found_.matched = match(0, kInfinity, squared);  // its distance is told in any case
   found_.best = {.node = 0, .distance = std::sqrt(squared)};
   if (found_.matched) open_.push_back({.node = 0, .distance = squared});
   float least = bound;
@@ -42,7 +46,7 @@ const Found& Searcher::find(std::span<const double> percept, double tau) {
     bool went_on = false;
     if (!nodes[at.node].leaf()) {
       for (const NodeId child : {nodes[at.node].right, nodes[at.node].left}) {
-        if (!match(child, squared)) continue;
+        if (!match(child, bound, squared)) continue;
         open_.push_back({.node = child, .distance = squared});
         went_on = true;
       }

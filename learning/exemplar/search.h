@@ -9,7 +9,8 @@
 
 namespace pacer::exemplar {
 
-/// A node where the search ended, and how far the percept is from its model; 0 on an exact match.
+/// A node where the search ended, and how far the percept is from its model; 0 on an exact match,
+/// infinite where another percept than its only one has no model to be compared with.
 struct Candidate {
   NodeId node = 0;
   float distance = 0.0F;  ///< Mahalanobis (5.5)

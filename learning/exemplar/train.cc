@@ -84,7 +84,7 @@ DemonstratedExemplars exemplars_of(const Demonstration& demonstration, const Per
 Training train(const Demonstration& demonstration, const ExemplarConfig& config,
                const TrainingOptions& options) {
   const Clock::time_point began = Clock::now();
-  config.response.validate();
+  config.validate();
   DemonstratedExemplars demonstrated = exemplars_of(demonstration, config.percept, options);
   const Eigen::Matrix2d drift = drift_of(demonstrated);
   const TrainingReport report = demonstrated.report;
@@ -108,6 +108,12 @@ Training grow(Model model, const Demonstration& demonstration, const TrainingOpt
                     size.width, size.height, model.image_size.width, model.image_size.height));
   }
   const DemonstratedExemplars more = exemplars_of(demonstration, model.config.percept, options);
+  // Exemplars stand for changes of the action: the model does not know how many episodes it is of.
+  if (more.exemplars.size() > more.first.size()) {
+    const auto had = static_cast<double>(model.hierarchy.exemplars().size());
+    const auto gained = static_cast<double>(more.exemplars.size());
+    model.drift = (had * model.drift + gained * drift_of(more)) / (had + gained);
+  }
   for (std::size_t n = 0; n < more.exemplars.size(); ++n) {
     model.hierarchy.learn(more.exemplars.percept(n), more.exemplars.action(n));
   }

@@ -46,9 +46,10 @@ struct DemonstratedExemplars {
 [[nodiscard]] Training train(const Demonstration& demonstration, const ExemplarConfig& config,
                              const TrainingOptions& options = {});
 
-/// `model` with the exemplars of another demonstration added one by one, without a rebuild: a
-/// teacher's corrections. Its settings stay. Throws as train(); UsageError where the pictures have
-/// another size.
+/// `model` with the exemplars of another demonstration learnt online (Hierarchy::learn): a
+/// teacher's corrections. Its settings stay; its drift becomes the mean of both, weighted by
+/// exemplars; what reading the model from a file changes stands at to_bytes(). Throws as train();
+/// UsageError where the pictures have another size.
 [[nodiscard]] Training grow(Model model, const Demonstration& demonstration,
                             const TrainingOptions& options = {});
 

@@ -113,9 +113,9 @@ class BadInput(CommandTest):
 
     def test_a_disk_that_fills_up_while_a_model_is_written_leaves_the_old_one(self):
         model = self.scratch / "m"
-        model.write_text("the old one")
+        shutil.copy(MODEL, model)
         self.refusal(*train(model), status=FAILED, preexec_fn=little_room)
-        self.assertEqual(model.read_text(), "the old one")
+        self.assertEqual(model.read_bytes(), MODEL.read_bytes())
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["m"])
 
     def test_a_disk_that_fills_up_under_a_report_leaves_the_old_one(self):
@@ -141,6 +141,48 @@ class BadInput(CommandTest):
         self.assertIn("ends in .mp4", self.refusal(
             *self.drive("neutral", "--video", self.scratch / "film.avi"), status=BAD_USAGE))
         self.assertEqual(list(self.scratch.iterdir()), [])
+
+    def test_a_picture_is_a_png(self):
+        self.assertIn("ends in .png", self.refusal(
+            "inspect", DRIVES, "--sheet", self.scratch / "sheet.jpg", status=BAD_USAGE))
+        self.assertEqual(list(self.scratch.iterdir()), [])
+
+    def test_where_nothing_can_be_written_is_told_before_the_work(self):
+        for command in [self.drive("neutral", "--video", "/proc/x.mp4"),
+                        ["inspect", MODEL, "--json", "/proc/x.json"],
+                        ["inspect", DRIVES, "--sheet", "/proc/x.png"]]:
+            self.assertIn("name a file that can be written",
+                          self.refusal(*command, status=BAD_USAGE))
+        self.assertIn("name a place that can be written", self.refusal(
+            *collect("/proc/drives"), status=FAILED))
+
+    def test_a_lost_scenario_is_to_be_put_back(self):
+        dataset = self.scratch / "d"
+        shutil.copytree(DRIVES, dataset)
+        (dataset / "meta/scenario.yaml").unlink()
+        line = self.refusal(*train(self.scratch / "m", dataset), status=FAILED)
+        self.assertIn("put it back, or record anew", line)
+        self.assertNotIn("--repair", line)
+
+    def test_an_info_without_its_values_is_named_in_plain_words(self):
+        dataset = self.scratch / "d"
+        shutil.copytree(DRIVES, dataset)
+        (dataset / "meta/info.json").write_text("{}")
+        line = self.refusal(*train(self.scratch / "m", dataset), status=FAILED)
+        self.assertNotIn("exception", line)
+        self.assertIn("put the file back, or record anew", line)
+        said = self.pacer("inspect", dataset, status=FAILED).stdout
+        self.assertEqual(said.count("info.json"), 1, said)
+
+    def test_a_fault_names_its_file_once(self):
+        for pattern in ["videos/**/*.mp4", "data/**/*.parquet"]:
+            dataset = self.scratch / pattern[:4]
+            shutil.copytree(DRIVES, dataset)
+            file = next(dataset.glob(pattern))
+            file.write_bytes(file.read_bytes()[:2000])
+            line = self.refusal(*train(self.scratch / "m", dataset), status=FAILED)
+            self.assertEqual(line.count(file.name), 1, line)
+            self.assertNotIn(".;", line)
 
     def test_a_recorded_car_is_neither_taught_nor_scored(self):
         replay = settings(car="replayed", replayed__dataset=DRIVES)

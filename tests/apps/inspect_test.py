@@ -3,7 +3,7 @@
 
 import shutil
 
-from pacer_command import DRIVES, FAILED, MODEL, CommandTest, collect, main
+from pacer_command import BAD_USAGE, DRIVES, FAILED, MODEL, SCENARIO, CommandTest, collect, main
 
 
 class Inspect(CommandTest):
@@ -55,6 +55,13 @@ class Inspect(CommandTest):
         shutil.copytree(DRIVES, out)
         self.assertNotIn("mended", self.pacer("inspect", out, "--repair").stdout)
         self.assert_same_trees(DRIVES, out)
+
+    def test_what_does_not_go_with_the_thing_inspected_is_refused(self):
+        sheet = self.scratch / "sheet.png"
+        for what, option in [(SCENARIO, ["--sheet", sheet]), (MODEL, ["--sheet", sheet]),
+                             (MODEL, ["--repair"]), (SCENARIO, ["--quick"])]:
+            self.assertIn(option[0], self.refusal("inspect", what, *option, status=BAD_USAGE))
+        self.assertFalse(sheet.exists())
 
     def test_a_model_is_summed_up(self):
         said = self.pacer("inspect", MODEL).stdout

@@ -49,6 +49,14 @@ TEST_F(ProgressTest, ALogGetsALineForEachTenth) {
   EXPECT_THAT(text, EndsWith("episodes: 100 in 0 s\n"));
 }
 
+TEST_F(ProgressTest, WhatIsExpectedMayChange) {
+  Progress progress(out_, "frames", 1000, ProgressStyle::kLines, clock());
+  progress.expect(40);
+  now_ += Seconds{10.0};
+  progress.advance(20);
+  EXPECT_EQ(written(), "frames: 20/40  2.0/s  10 s left\n");
+}
+
 TEST_F(ProgressTest, ASlowJobTellsALogThatItLives) {
   Progress progress(out_, "frames", 1000, ProgressStyle::kLines, clock());
   progress.advance();

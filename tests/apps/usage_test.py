@@ -89,6 +89,10 @@ class Usage(CommandTest):
     def test_the_mean_of_no_model_is_refused(self):
         self.refusal("evaluate", SCENARIO, "--policy", "mean", status=BAD_USAGE)
 
+    def test_a_study_of_the_other_goal_is_refused(self):
+        self.assertIn("goal: reach", self.refusal("study", "generalisation", "--scenario",
+                                                  SCENARIO, status=BAD_USAGE))
+
     def test_an_unknown_study_is_named_with_those_there_are(self):
         line = self.refusal("study", "nothing", "--scenario", SCENARIO, status=BAD_USAGE)
         self.assertIn("nothing", line)

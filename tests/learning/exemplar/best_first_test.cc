@@ -55,6 +55,16 @@ TEST(BestFirst, WithoutTwigsSearchesAllTheSame) {
   EXPECT_EQ(pruned.find(std::vector<double>{5, 6}).best.node, 0U);
 }
 
+TEST(BestFirstDeathTest, NeedsASearcherOfTheHierarchyAsItIs) {
+  Hierarchy hierarchy(Exemplars(1, 1, {1, 2}, {3, 4}), {});
+  NodeIndex index(hierarchy);
+  BestFirstSearcher pruned(hierarchy, index);
+  hierarchy.learn(std::vector<double>{5}, std::vector<double>{6});
+  index = NodeIndex(hierarchy);
+  EXPECT_DEATH((void)pruned.find(std::vector<double>{5}), "searcher");
+  EXPECT_TRUE(BestFirstSearcher(hierarchy, index).find(std::vector<double>{5}).exact);
+}
+
 TEST(BestFirstDeathTest, NeedsAnIndexOfTheHierarchyAsItIs) {
   Hierarchy hierarchy(Exemplars(1, 1, {1, 2}, {3, 4}), {});
   const NodeIndex index(hierarchy);

@@ -25,6 +25,7 @@ struct Disc {
 struct DiscStep {
   std::optional<Disc> red, green;
   Command command;
+  bool snow = false;  ///< interference, from below the discs down
 };
 
 inline constexpr ImageSize kDiscImage{.width = 160, .height = 120};
@@ -43,6 +44,12 @@ inline void paint(const DiscStep& step, std::uint64_t index, Frame& frame) {
     return wall;
   }();
   frame.rgb = kWall;
+  if (step.snow) {
+    const std::ptrdiff_t below = std::ptrdiff_t{3} * kDiscImage.width * (kDiscImage.height - 20);
+    for (auto value = frame.rgb.begin() + below; value != frame.rgb.end(); value += 3) {
+      *(value + 1) = (value - frame.rgb.begin()) % 2 == 0 ? 255 : 0;
+    }
+  }
   for (const auto& [disc, red, green, blue] :
        {std::tuple(&step.green, 24.0, 150.0, 39.0), {&step.red, 180.0, 15.0, 17.0}}) {
     if (!*disc) continue;

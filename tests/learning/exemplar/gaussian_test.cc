@@ -11,6 +11,16 @@
 namespace pacer::exemplar {
 namespace {
 
+TEST(Factorise, MendsWhatRoundingLeftIndefinite) {
+  const Eigen::MatrixXd covariance{{1e8, 1e8, 0.0}, {1e8, 1e8 - 1e-6, 0.0}, {0.0, 0.0, 1e-4}};
+  Eigen::MatrixXd factor;
+  factorise(covariance, factor);
+  const Eigen::MatrixXd lower = factor.triangularView<Eigen::Lower>();
+  EXPECT_TRUE(lower.allFinite());
+  EXPECT_LT((lower * lower.transpose() - covariance).norm(), 1e-6 * covariance.norm());
+  EXPECT_GT(lower.diagonal().minCoeff(), 0.0);
+}
+
 std::vector<double> points(std::size_t count, std::size_t d, Random random) {
   const Exemplars exemplars = pacer::testing::random_exemplars(count, d, 1, random);
   return {exemplars.percepts().begin(), exemplars.percepts().end()};

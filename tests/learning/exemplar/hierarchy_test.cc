@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "learning/exemplar/search.h"
@@ -37,7 +38,7 @@ TEST(Hierarchy, RegularisesThePerceptsOfEachNodeAsDocumented) {
   const double w = hierarchy.config().prior_weight;
   Eigen::MatrixXd sd = Eigen::MatrixXd::Zero(5, 5);
   for (Eigen::Index i = 0; i < 5; ++i) {
-    sd(i, i) = 1.0 / hierarchy.prior().inverse_sd[static_cast<std::size_t>(i)];
+    sd(i, i) = 1.0 / hierarchy.prior().scale.inverse_sd[static_cast<std::size_t>(i)];
   }
   const Eigen::MatrixXd prior = sd * hierarchy.prior().covariance * sd;
   for (NodeId node = 0; node < hierarchy.tree().nodes().size(); ++node) {
@@ -61,7 +62,34 @@ TEST(Hierarchy, RegularisesThePerceptsOfEachNodeAsDocumented) {
     EXPECT_NEAR(std::sqrt(hierarchy.squared_distance(
                     node, point.data(), std::numeric_limits<float>::infinity(), scratch.data())),
                 model.distance(raw), 1e-3 * model.distance(raw) + 1e-3);
+    EXPECT_NEAR(hierarchy.distance(node, hierarchy.exemplars().percept(7)), model.distance(raw),
+                1e-9 * (1.0 + model.distance(raw)));
   }
+}
+
+TEST(Hierarchy, HasThePriorThatIsWorkedOutByHand) {
+  // The mean is (0, 0), the variances are (0.5 * 0.01 + 0.5 * 9, 0.5 + 0.5 * 4): two pairs of
+  // similar actions, whose percepts differ by (0.2, 2) and by (6, -4) in all.
+  const Exemplars four(2, 1, {0.1, 1, -0.1, -1, 3, -2, -3, 2}, {0.0, 0.1, 0.9, 1.0});
+  const HierarchyConfig config{.prior_scale = 0.5, .prior_floor = 0.2, .prior_group = 2};
+  const PerceptPrior prior = Hierarchy(four, config).prior();
+  const double vx = 4.505;
+  const double vy = 2.5;
+  EXPECT_NEAR(prior.scale.inverse_sd[0], 1.0 / std::sqrt(vx), 1e-12);
+  EXPECT_NEAR(prior.scale.inverse_sd[1], 1.0 / std::sqrt(vy), 1e-12);
+  // Scatter about each pair's mean: 2 (0.01, 0.1, 1) + 2 (9, -6, 4), of 4 - 2 degrees of freedom.
+  const double xx = 9.01 / vx;
+  const double xy = -5.9 / std::sqrt(vx * vy);
+  const double yy = 5.0 / vy;
+  EXPECT_NEAR(prior.covariance(0, 0), 0.5 * (0.2 + 0.8 * xx), 1e-12);
+  EXPECT_NEAR(prior.covariance(0, 1), 0.5 * 0.8 * xy, 1e-12);
+  EXPECT_NEAR(prior.covariance(1, 0), 0.5 * 0.8 * xy, 1e-12);
+  EXPECT_NEAR(prior.covariance(1, 1), 0.5 * (0.2 + 0.8 * yy), 1e-12);
+
+  // As one group, the four differ from the mean of all by as much, of 4 - 1 degrees.
+  const HierarchyConfig one_group{.prior_scale = 0.5, .prior_floor = 0.2, .prior_group = 4};
+  EXPECT_NEAR(Hierarchy(four, one_group).prior().covariance(1, 1),
+              0.5 * (0.2 + 0.8 * 10.0 / 3.0 / vy), 1e-12);
 }
 
 TEST(Hierarchy, GrownOneByOneHasTheModelsOfOneThatIsBuilt) {
@@ -117,6 +145,7 @@ TEST(Hierarchy, WithOneExemplarAlwaysAnswersItsAction) {
     const Found& found = searcher.find(percept);
     EXPECT_EQ(found.best.node, 0U);
     EXPECT_EQ(found.exact, percept[0] == 1.0);
+    EXPECT_EQ(std::isinf(found.best.distance), !found.exact) << "there is nothing to compare with";
     hierarchy.respond(found.best.node, random, action);
     EXPECT_EQ(action[0], 0.3);
     EXPECT_EQ(action[1], 0.4);
@@ -156,6 +185,9 @@ TEST(Hierarchy, LeavesOutANumberThatNeverVaried) {
   Searcher searcher(hierarchy);
   const Candidate usual = searcher.find(std::vector<double>{0.1, 7.0, 5.0}).best;
   EXPECT_EQ(searcher.find(std::vector<double>{0.1, 9.0, 5.0}).best, usual);
+  const double distance = usual.distance;
+  EXPECT_NEAR(hierarchy.distance(usual.node, std::vector<double>{0.1, 9.0, 5.0}), distance,
+              1e-3 * (1.0 + distance));
 }
 
 TEST(Hierarchy, TakesNumbersOfAnyGreatness) {
@@ -164,6 +196,43 @@ TEST(Hierarchy, TakesNumbersOfAnyGreatness) {
   Searcher searcher(hierarchy);
   for (std::size_t n = 0; n < 3; ++n) EXPECT_TRUE(searcher.find(huge.percept(n), 100.0).exact);
   EXPECT_FALSE(searcher.find(std::vector<double>{1e100, 1e100}).exact);
+}
+
+TEST(Hierarchy, LearnsNumbersOfAnyGreatness) {
+  const Exemplars usual = random_exemplars(60, 6, 2, Random(8));
+  const Exemplars queries = random_exemplars(20, 6, 2, Random(9));
+  for (const double greatness : {1e3, 1e6, 1e9, 1e12, 1e50, 1e100}) {
+    Hierarchy hierarchy(usual, {});
+    for (int n = 0; n < 30; ++n) {  // together and apart
+      std::vector<double> percept(6, n % 2 == 0 ? greatness : -greatness);
+      percept[static_cast<std::size_t>(n) % 6] *= n % 3 == 0 ? -1.0 : 1e-3;
+      hierarchy.learn(percept, std::vector<double>{0.03 * n, 0.5});
+    }
+    Searcher searcher(hierarchy);
+    for (std::size_t q = 0; q < queries.size(); ++q) {
+      const Found& found = searcher.find(queries.percept(q));
+      EXPECT_TRUE(found.matched) << greatness;
+      EXPECT_TRUE(std::isfinite(found.best.distance)) << greatness;
+      EXPECT_TRUE(std::isfinite(hierarchy.distance(0, queries.percept(q)))) << greatness;
+    }
+  }
+}
+
+TEST(Hierarchy, LearnsWhatVariesAfterWhatHardlyDid) {
+  for (const double hardly : {1e-12, 1e-7, 1e-5, 1e-3}) {
+    const Exemplars some = random_exemplars(40, 2, 1, Random(3));
+    std::vector<double> percepts;
+    for (std::size_t n = 0; n < some.size(); ++n) {
+      percepts.insert(percepts.end(),
+                      {some.percept(n)[0], 100.0 + hardly * static_cast<double>(n % 3),
+                       50.0 + hardly * static_cast<double>(n % 5)});
+    }
+    Hierarchy hierarchy(Exemplars(3, 1, percepts, {some.actions().begin(), some.actions().end()}),
+                        {});
+    const std::vector<double> percept = {0.2, 180.0, 90.0};
+    hierarchy.learn(percept, std::vector<double>{0.5});
+    EXPECT_TRUE(Searcher(hierarchy).find(percept, 1e6).exact) << hardly;
+  }
 }
 
 TEST(Hierarchy, TheSameGeneratorGivesTheSameActions) {

@@ -4,10 +4,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
+#include <memory>
 #include <system_error>
 
+#include "learning/exemplar/best_first.h"
+#include "learning/exemplar/policy.h"
+#include "tests/learning/exemplar/painted.h"
 #include "tests/learning/exemplar/random_exemplars.h"
 
 namespace pacer::exemplar {
@@ -34,6 +40,33 @@ std::string failure(std::string_view bytes) {
     return error.what();
   }
   return "";
+}
+
+/// Searches, responds and drives, as whoever reads the file will.
+void use(const Model& model) {
+  const Hierarchy& hierarchy = model.hierarchy;
+  Searcher searcher(hierarchy);
+  const NodeIndex index(hierarchy);
+  BestFirstSearcher pruned(hierarchy, index);
+  Random random(1);
+  for (std::size_t n = 0; n < hierarchy.exemplars().size(); ++n) {
+    const auto percept = hierarchy.exemplars().percept(n);
+    for (const double tau : {1.0, 1e6}) {
+      EXPECT_LT(searcher.find(percept, tau).best.node, hierarchy.tree().nodes().size());
+      EXPECT_LT(pruned.find(percept, tau).best.node, hierarchy.tree().nodes().size());
+    }
+  }
+  if (model.image_size != ImageSize{.width = 320, .height = 240}) return;
+  ExemplarPolicy policy(std::make_shared<const Model>(model), Random(1));
+  Frame frame = testing::wall(model.image_size);
+  testing::fill_ball(frame, 100.0, 60.0, 30.0, testing::kRedRubber);
+  testing::fill_ball(frame, 200.0, 60.0, 20.0, testing::kGreenRubber);
+  for (int i = 0; i < 3; ++i) {
+    Annotations annotations;
+    const Command command = policy.act({.frame = frame, .last = {}}, annotations);
+    EXPECT_LE(std::abs(command.steering), 1.0);
+    EXPECT_LE(std::abs(command.throttle), 1.0);
+  }
 }
 
 /// The bytes as if a program had written them so: with the right checksum.
@@ -94,15 +127,73 @@ TEST(ModelFile, HostileBytesUnderAGoodChecksumAreRefusedOrHarmless) {
   const std::string bytes = to_bytes(random_model(5));
   Random random(9);
   int refused = 0;
+  int used = 0;
   for (int trial = 0; trial < 400; ++trial) {
     std::string hostile = bytes;
     const std::size_t at = 20 + random.below(bytes.size() - 28);
     for (std::size_t i = at; i < std::min(at + 8, bytes.size() - 8); ++i) {
       hostile[i] = static_cast<char>(random.chance(0.5) ? 0xff : random.below(256));
     }
-    refused += failure(resealed(hostile)).empty() ? 0 : 1;
+    try {
+      use(from_bytes(resealed(hostile), "the.model"));
+      ++used;
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
   }
-  EXPECT_GT(refused, 0);
+  EXPECT_GT(refused, 50);
+  EXPECT_GT(used, 20);
+}
+
+TEST(ModelFile, NumbersOfAnyGreatnessAreHarmless) {
+  Random random(10);
+  for (int trial = 0; trial < 60; ++trial) {
+    Model model = random_model(12);
+    const Exemplars& usual = model.hierarchy.exemplars();
+    std::vector<double> percepts(usual.percepts().begin(), usual.percepts().end());
+    std::vector<double> actions(usual.actions().begin(), usual.actions().end());
+    for (std::vector<double>* numbers : {&percepts, &actions}) {
+      for (double& number : *numbers) {
+        if (random.chance(0.1)) number = random.normal(0.0, 1.0) * std::pow(10.0, random.below(99));
+      }
+    }
+    model.config.naming = trial % 2 == 0 ? "table" : "statistics";
+    model.config.response.choose = trial % 3 == 0 ? "sample" : "consistent";
+    model.hierarchy = Hierarchy(Exemplars(kPerceptSize, kActionSize, percepts, actions), {});
+    use(from_bytes(to_bytes(model), "the.model"));
+  }
+}
+
+TEST(ModelFile, IsOfPicturesThatThereCanBe) {
+  Model model = random_model(2);
+  for (const ImageSize size :
+       {ImageSize{.width = 0, .height = 240}, ImageSize{.width = 320, .height = -1},
+        ImageSize{.width = 1, .height = 2147483647}, ImageSize{.width = 2147483647, .height = 1},
+        ImageSize{.width = 16385, .height = 16384}, ImageSize{.width = 20, .height = 340}}) {
+    model.image_size = size;
+    EXPECT_NE(failure(to_bytes(model)).find("image size"), std::string::npos) << size.width;
+  }
+  for (const ImageSize size :
+       {ImageSize{.width = 16384, .height = 16384}, ImageSize{.width = 20, .height = 320}}) {
+    model.image_size = size;
+    EXPECT_EQ(failure(to_bytes(model)), "");
+  }
+}
+
+TEST(ModelFile, HasADriftThatCanBeInverted) {
+  Model model = random_model(2);
+  const auto drift_of = [](double a, double b, double c, double d) {
+    Eigen::Matrix2d drift;
+    drift << a, b, c, d;
+    return drift;
+  };
+  for (const Eigen::Matrix2d& drift :
+       {drift_of(0.0, 0.0, 0.0, 0.1), drift_of(-0.1, 0.0, 0.0, -0.1),
+        drift_of(0.1, 0.05, -0.05, 0.1), drift_of(1e-200, 0.0, 0.0, 1e-100),
+        drift_of(1e200, 0.0, 0.0, 1e100), drift_of(std::nan(""), 0.0, 0.0, 0.1)}) {
+    model.drift = drift;
+    EXPECT_NE(failure(to_bytes(model)).find("drift"), std::string::npos) << drift;
+  }
 }
 
 TEST(ModelFile, AnotherVersionSaysWhatToDo) {

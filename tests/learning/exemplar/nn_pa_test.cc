@@ -37,6 +37,18 @@ TEST(NnPa, OfEqualsTheFirstAnswers) {
   }
 }
 
+TEST(NnPa, StandardisesWhatIsVerySmallAndVeryGreat) {
+  for (const double unit : {1e-300, 1e-160, 1e-100, 1.0, 1e99}) {
+    const Exemplars exemplars(2, 1, {0, 0, unit, 5, 2 * unit, 9}, {1, 2, 3});
+    const std::vector<double> percept = {2 * unit, 9};
+    EXPECT_EQ(NnPa(exemplars, PerceptUnits::kStandardised).nearest(percept), 2U) << unit;
+    EXPECT_EQ(NnPaTree(exemplars, PerceptUnits::kStandardised).nearest(percept), 2U) << unit;
+    const std::vector<double> far = {1e100, 1e100};
+    EXPECT_LT(NnPa(exemplars, PerceptUnits::kStandardised).nearest(far), 3U) << unit;
+    EXPECT_LT(NnPaTree(exemplars, PerceptUnits::kStandardised).nearest(far), 3U) << unit;
+  }
+}
+
 TEST(NnPa, RefusesAPerceptThatDoesNotFit) {
   const Exemplars exemplars(1, 1, {0}, {1});
   EXPECT_THROW((void)NnPa(exemplars, PerceptUnits::kRaw).nearest(std::vector<double>{1, 2}),

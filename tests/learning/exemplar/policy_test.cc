@@ -97,6 +97,18 @@ TEST(ExemplarPolicy, NeedsNoColourTableToTurnToTheRedDisc) {
   EXPECT_LT(error / seen, 0.15);
 }
 
+TEST(ExemplarPolicy, LooksAgainForASecondWhileThereIsInterference) {
+  ExemplarPolicy policy(trained("consistent"), Random(1));
+  DiscStep step;
+  step.red = testing::Disc{.x = 30, .y = 40, .radius = 9};
+  DiscStep snow = step;
+  snow.snow = true;
+  for (int i = 0; i < 24; ++i) ASSERT_EQ(response_to(policy, snow), Command{}) << i;
+  EXPECT_NE(response_to(policy, step), Command{}) << "a clear picture is answered at once";
+  for (int i = 0; i < 25; ++i) ASSERT_EQ(response_to(policy, snow), Command{}) << i;
+  EXPECT_GT(response_to(policy, snow).steering, 0.2) << "it makes do with what it sees";
+}
+
 TEST(ExemplarPolicy, MarksBothBalloons) {
   ExemplarPolicy policy(trained("consistent"), Random(1));
   Frame frame;

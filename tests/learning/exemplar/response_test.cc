@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <stdexcept>
 
 namespace pacer::exemplar {
 namespace {
@@ -90,6 +91,56 @@ TEST(Responder, SamplesTheNearestNodesActions) {
   }
   EXPECT_NEAR(mean, hierarchy.action_mean(0)[0], 0.05);
   EXPECT_NEAR(square, 0.64, 0.05);
+}
+
+/// Three exemplars apart, so that each leaf is an action.
+Hierarchy three_actions() {
+  return {Exemplars(2, 2, {0, 0, 1, 0, 0, 1}, {0.8, 0.3, -0.8, 0.3, -0.75, 0.3}), {}};
+}
+
+/// The leaf of exemplar `n`, at `distance`.
+Candidate leaf_of(const Hierarchy& hierarchy, std::uint32_t n, float distance) {
+  for (NodeId id = 0; id < hierarchy.tree().nodes().size(); ++id) {
+    if (hierarchy.tree().nodes()[id].leaf() && hierarchy.tree().exemplars_of(id)[0] == n) {
+      return {.node = id, .distance = distance};
+    }
+  }
+  throw std::logic_error("every exemplar has a leaf");
+}
+
+TEST(Responder, SamplesAnyOfThoseThatAreAsNear) {
+  const Hierarchy hierarchy = three_actions();
+  Found found;
+  found.matched = true;
+  found.candidates = {leaf_of(hierarchy, 0, 3.0F), leaf_of(hierarchy, 1, 3.0F),
+                      leaf_of(hierarchy, 2, 4.0F)};
+  found.best = found.candidates[0];
+  Responder responder(hierarchy, Eigen::Matrix2d::Identity(), {.choose = "sample"}, Random(1));
+  int first = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double turn = responder.respond(found).x();
+    EXPECT_TRUE(turn == 0.8 || turn == -0.8) << turn << ": the third is farther";
+    first += turn == 0.8 ? 1 : 0;
+  }
+  EXPECT_NEAR(first, 200, 50);
+}
+
+TEST(Responder, FarFromAllItTakesWhatMostAgreeOn) {
+  const Hierarchy hierarchy = three_actions();
+  // The nearest stands alone, and two that agree are hardly farther: near by, one deviation
+  // counts; where all are forty off, it does not.
+  const auto response = [&](float least) {
+    Found found;
+    found.matched = true;
+    found.candidates = {leaf_of(hierarchy, 0, least), leaf_of(hierarchy, 1, least + 2.0F),
+                        leaf_of(hierarchy, 2, least + 2.0F)};
+    found.best = found.candidates[0];
+    return Responder(hierarchy, Eigen::Matrix2d::Identity(), {.choose = "consistent"}, Random(1))
+        .respond(found)
+        .x();
+  };
+  EXPECT_GT(response(0.5F), 0.7);
+  EXPECT_LT(response(40.0F), -0.7);
 }
 
 TEST(ResponseConfig, KnowsTwoWays) {

@@ -16,8 +16,6 @@ namespace {
 
 /// The search as the thesis words it, with nothing spared.
 Found reference(const Hierarchy& hierarchy, std::span<const double> percept, double tau) {
-  const Eigen::Map<const Eigen::VectorXd> point(percept.data(),
-                                                static_cast<Eigen::Index>(percept.size()));
   Found found;
   const auto match = [&](NodeId node, double& distance) {
     ++found.visited;
@@ -28,7 +26,7 @@ Found reference(const Hierarchy& hierarchy, std::span<const double> percept, dou
       }
     }
     if (!hierarchy.has_model(node)) return false;
-    distance = hierarchy.percept_model(node).distance(point);
+    distance = hierarchy.distance(node, percept);
     return distance < tau;
   };
   const std::function<void(NodeId, double)> from = [&](NodeId node, double distance) {
@@ -82,8 +80,12 @@ TEST(Search, EndsWhereTheThesisDoes) {
 TEST(Search, AnswersTheRootWhenNotEvenThatMatches) {
   const Hierarchy hierarchy(pacer::testing::random_exemplars(20, 3, 1, Random(1)), {});
   Searcher searcher(hierarchy);
-  const Found& found = searcher.find(std::vector<double>{1e6, 1e6, 1e6}, 1.0);
+  const std::vector<double> percept = {60.0, 6e4, 60.0};
+  const Found& found = searcher.find(percept, 1.0);
   EXPECT_FALSE(found.matched);
+  const double distance = hierarchy.distance(0, percept);
+  EXPECT_NEAR(found.best.distance, distance, 1e-3 * distance)
+      << "all of it, and not as much as tells that it is too far";
   EXPECT_EQ(found.best.node, 0U);
   EXPECT_TRUE(found.candidates.empty());
   EXPECT_EQ(found.visited, 1U);
