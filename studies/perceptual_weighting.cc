@@ -170,8 +170,11 @@ void add_page(const std::vector<TestImage>& images, const Distances& distances,
   for (std::size_t i = 0; i < kImages; ++i) names.push_back(fmt::format("image {}", i + 1));
   page.section("Perceptual weighting (Figure 5.12)")
       .paragraph(
-          "Three groups of similar actions, of exemplars that show both balloons, and the Gaussian "
-          "of each one's percepts. The red balloon is to the left in images 1 and 2, in the middle "
+          "Three groups of similar actions, clear turns to the left, next to none and clear turns "
+          "to "
+          "the right, of exemplars that show both balloons, and the Gaussian of each one's "
+          "percepts. "
+          "The red balloon is to the left in images 1 and 2, in the middle "
           "in 3 and 4, to the right in 5 and 6; the green one is in the left half in the odd ones, "
           "in the right half in the even ones. Each class should be near to its own two images, "
           "wherever the green balloon is.")

@@ -34,11 +34,13 @@ Gaussian fit_gaussian(std::span<const double> points, std::size_t d) {
 }
 
 void factorise(const Eigen::MatrixXd& covariance, Eigen::MatrixXd& factor) {
-  constexpr int kAttempts = 12;  // the last raises by a tenth of the greatest variance
+  constexpr int kAttempts = 12;  // the last raises by a tenth of the greatest variance,
+                                 // those before by a tenth of the next
   const double greatest = covariance.diagonal().maxCoeff();
   for (int attempt = 0; attempt <= kAttempts; ++attempt) {
     factor = covariance;
-    if (attempt > 0) factor.diagonal().array() += greatest * std::pow(10.0, attempt - 13);
+    if (attempt > 0)
+      factor.diagonal().array() += greatest * std::pow(10.0, attempt - kAttempts - 1);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(factor);
     if (llt.info() == Eigen::Success) return;
   }

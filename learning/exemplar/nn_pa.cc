@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/exemplar/nn_pa.h"
 
-#include <algorithm>
 #include <limits>
 #include <nanoflann.hpp>
 
@@ -16,9 +15,6 @@ std::vector<double> scales(const Exemplars& exemplars, PerceptUnits units) {
   return std::vector<double>(exemplars.percept_size(), 1.0);
 }
 
-/// So that its square is a number.
-double bounded(double value) { return std::clamp(value, -kGreatest, kGreatest); }
-
 }  // namespace
 
 NnPa::NnPa(const Exemplars& exemplars, PerceptUnits units)
@@ -32,7 +28,7 @@ std::size_t NnPa::nearest(std::span<const double> percept) const {
     const std::span<const double> other = exemplars_.percept(n);
     double sum = 0.0;
     for (std::size_t i = 0; i < percept.size(); ++i) {
-      const double apart = bounded(scale_[i] * (percept[i] - other[i]));
+      const double apart = scale_[i] * (percept[i] - other[i]);
       sum += apart * apart;
     }
     if (sum < least) {
@@ -86,7 +82,7 @@ NnPaTree::NnPaTree(NnPaTree&&) noexcept = default;
 std::size_t NnPaTree::nearest(std::span<const double> percept) const {
   require_percept(percept, index_->points.size);
   std::vector<double> point(percept.begin(), percept.end());
-  for (std::size_t i = 0; i < point.size(); ++i) point[i] = bounded(point[i] * index_->scale[i]);
+  for (std::size_t i = 0; i < point.size(); ++i) point[i] *= index_->scale[i];
   std::size_t nearest = 0;
   double squared = 0.0;
   index_->tree.knnSearch(point.data(), 1, &nearest, &squared);

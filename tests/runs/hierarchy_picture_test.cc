@@ -52,8 +52,10 @@ Patch patch_of(const Frame& picture, int channel, int left, int right) {
       ++patch.pixels;
     }
   }
-  patch.x /= patch.pixels;
-  patch.y /= patch.pixels;
+  if (patch.pixels > 0) {
+    patch.x /= patch.pixels;
+    patch.y /= patch.pixels;
+  }
   return patch;
 }
 
@@ -88,6 +90,16 @@ TEST(HierarchyPicture, ShowsTurnsToTheLeftAtTheLeft) {
     ASSERT_GT(green.pixels, 50) << left;
     EXPECT_GT(side * (red.x - green.x), 0.0) << left;
   }
+}
+
+TEST(HierarchyPicture, ShowsNothingOfWhatLiesBeyondMeasure) {
+  exemplar::Percept percept = two_balloons();
+  percept[1] = 1e100;
+  const Frame picture =
+      draw_hierarchy(model_of(Exemplars(exemplar::kPerceptSize, exemplar::kActionSize,
+                                        {percept.begin(), percept.end()}, {0.4, 0.3})));
+  EXPECT_EQ(patch_of(picture, 0, 0, picture.size.width).pixels, 0);
+  EXPECT_GT(patch_of(picture, 1, 0, picture.size.width).pixels, 50);
 }
 
 TEST(HierarchyPicture, DrawsNumbersOfAnyGreatness) {

@@ -78,9 +78,9 @@ TEST(Search, EndsWhereTheThesisDoes) {
 }
 
 TEST(Search, AnswersTheRootWhenNotEvenThatMatches) {
-  const Hierarchy hierarchy(pacer::testing::random_exemplars(20, 3, 1, Random(1)), {});
+  const Hierarchy hierarchy(pacer::testing::random_exemplars(20, 18, 1, Random(1)), {});
   Searcher searcher(hierarchy);
-  const std::vector<double> percept = {60.0, 6e4, 60.0};
+  const std::vector<double> percept(18, 60.0);
   const Found& found = searcher.find(percept, 1.0);
   EXPECT_FALSE(found.matched);
   const double distance = hierarchy.distance(0, percept);
