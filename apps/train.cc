@@ -52,11 +52,11 @@ struct TrainCommand {
     if (method == "affordance") {
       const auto report = train_affordance(scenario, dataset, out, control);
       progress.finish();
-      tell(report, "follow");
+      tell(report, scenario.what_for() == Goal::kKeep ? "lane" : "follow");
     } else {
       const auto report = train_baseline(scenario, method, dataset, out, control);
       progress.finish();
-      tell(report, "follow");
+      tell(report, scenario.what_for() == Goal::kKeep ? "lane" : "follow");
     }
   }
 

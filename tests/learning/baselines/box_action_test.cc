@@ -76,7 +76,8 @@ TEST(BoxResponse, HoldsTheLastActionThenStops) {
   driving.when_lost = {.strategy = "continue", .hold = Seconds{0.4}, .stop_throttle = -0.1};
   BoxResponse response(driving);
   Annotations annotations;
-  Frame frame{.size = {64, 48}};
+  Frame frame;
+  frame.size = {64, 48};
   const auto at = [&](double time) -> const Frame& {
     frame.time = Seconds{time};
     return frame;
@@ -99,9 +100,11 @@ TEST(BoxResponse, ABoxThatIsNoneIsALoss) {
   BoxResponse response(driving);
   Annotations annotations;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9},
-                             Frame{.size = {64, 48}}, annotations),
-            Command{});
+  Frame frame;
+  frame.size = {64, 48};
+  EXPECT_EQ(
+      response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9}, frame, annotations),
+      Command{});
 }
 
 }  // namespace
