@@ -13,7 +13,7 @@ void RadioLinkConfig::validate() const {
   const auto share = [](const char* field, double value) {
     require(value >= 0.0 && value <= 1.0, std::string(field) + ": must lie in [0, 1]");
   };
-  require(corrupted >= 0.0 && corrupted <= 0.5, "corrupted: must lie in [0, 0.5]");
+  share("corrupted", corrupted);
   require(burst_frames >= 1.0, "burst_frames: a burst is at least one frame long");
   share("whole", whole);
   share("torn", torn);
@@ -30,9 +30,12 @@ RadioLink::RadioLink(const RadioLinkConfig& config, ImageSize size, const Random
 }
 
 std::span<const RowBand> RadioLink::transmit(Frame& frame) {
-  // Leaving with probability q = 1 / burst and entering with p keeps the share p / (p + q).
-  const double leave = 1.0 / config_.burst_frames;
-  const double enter = leave * config_.corrupted / (1.0 - config_.corrupted);
+  // Leaving with probability q = 1 / burst and entering with p keeps the share p / (p + q). Where
+  // that takes more than certain entering, bursts are longer.
+  const double quiet = 1.0 - config_.corrupted;
+  const bool often = config_.corrupted > config_.burst_frames * quiet;
+  const double leave = often ? quiet / config_.corrupted : 1.0 / config_.burst_frames;
+  const double enter = often ? 1.0 : leave * config_.corrupted / quiet;
   const bool now = disturbed_;
   disturbed_ = now ? !random_.chance(leave) : random_.chance(enter);
   bands_.clear();

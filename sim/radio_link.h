@@ -13,7 +13,7 @@ namespace pacer::sim {
 /// The wireless camera's analogue link: how often it suffers, and how.
 struct RadioLinkConfig {
   double corrupted = 0.01;    ///< share of frames, in the long run
-  double burst_frames = 2.5;  ///< mean length of a burst
+  double burst_frames = 2.5;  ///< mean length of a burst, at least: longer where most frames suffer
   double whole = 0.3;         ///< share of the corrupted frames that are lost altogether
   double torn = 0.4;          ///< share of the others where the rows below the band slip
   double least_band = 0.08;   ///< share of the rows that a band covers,

@@ -13,9 +13,9 @@ struct Knowledge {
   int known_types = 0;  ///< of them, with at least one rule
   std::size_t rules = 0;
   double matched = 0.0;  ///< share of the pictures learnt from that some rule matches
-  /// How far the rules' predictions are from the commands they were fitted to, in deviations of all
-  /// commands, the mean over rules and both sticks: 0 for rules that tell the command, 1 for rules
-  /// that tell no more than its mean.
+  /// How far the rules' predictions are from commands of stretches of time that they were not
+  /// fitted to (held_out_error()), in deviations of all commands, the mean over rules and both
+  /// sticks: 0 for rules that tell the command, 1 for rules that tell no more than its mean.
   double error = 0.0;
 
   /// Whether a model like this follows nothing: half of its action types or more without a rule,

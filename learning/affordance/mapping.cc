@@ -110,16 +110,58 @@ Mapping fit_mapping(std::span<const float> poses, std::span<const Command> actio
   normal.diagonal().array() += config.ridge;
   const Eigen::MatrixX2d weights = normal.ldlt().solve(inputs.transpose() * outputs);
   const Eigen::RowVector2d bias = output_mean - input_mean * weights;
-  const Eigen::RowVector2d residual =
-      ((outputs - inputs * weights).colwise().squaredNorm() / count).cwiseSqrt();
 
   for (std::size_t i = 0; i < width; ++i) {
     mapping.inputs[i].steering = static_cast<float>(weights(static_cast<Eigen::Index>(i), 0));
     mapping.inputs[i].throttle = static_cast<float>(weights(static_cast<Eigen::Index>(i), 1));
   }
   mapping.bias = {bias.x(), bias.y()};
-  mapping.residual = {residual.x(), residual.y()};
   return mapping;
+}
+
+Command held_out_error(const Mapping& mapping, std::span<const float> poses,
+                       std::span<const Command> actions, std::span<const std::uint64_t> stretches,
+                       double ridge) {
+  const std::size_t rows = actions.size();
+  const std::size_t width = mapping.inputs.size();
+  check(rows > 0 && stretches.size() == rows && poses.size() == rows * width,
+        "held_out_error: poses are N x 4C, actions and stretches N");
+  // The bias is one more input, always 1 and without a ridge.
+  Eigen::MatrixXd inputs(rows, width + 1);
+  Eigen::MatrixX2d outputs(rows, 2);
+  for (std::size_t r = 0; r < rows; ++r) {
+    const auto row = static_cast<Eigen::Index>(r);
+    for (std::size_t i = 0; i < width; ++i) {
+      const Mapping::Input& input = mapping.inputs[i];
+      inputs(row, static_cast<Eigen::Index>(i)) =
+          static_cast<double>(centred(i, poses[r * width + i], input.mean) * input.inverse_sd);
+    }
+    inputs(row, static_cast<Eigen::Index>(width)) = 1.0;
+    outputs.row(row) << actions[r].steering, actions[r].throttle;
+  }
+  Eigen::MatrixXd normal = inputs.transpose() * inputs;
+  normal.diagonal().head(static_cast<Eigen::Index>(width)).array() += ridge;
+  const Eigen::MatrixX2d moment = inputs.transpose() * outputs;
+
+  Eigen::RowVector2d squares = Eigen::RowVector2d::Zero();
+  for (std::size_t first = 0; first < rows;) {
+    std::size_t end = first + 1;
+    while (end < rows && stretches[end] == stretches[first]) ++end;
+    const auto at = static_cast<Eigen::Index>(first);
+    const auto size = static_cast<Eigen::Index>(end - first);
+    const auto held_in = inputs.middleRows(at, size);
+    const auto held_out = outputs.middleRows(at, size);
+    Eigen::MatrixX2d weights = Eigen::MatrixX2d::Zero(moment.rows(), 2);
+    if (end - first < rows) {
+      weights = (normal - held_in.transpose() * held_in)
+                    .ldlt()
+                    .solve(moment - held_in.transpose() * held_out);
+    }
+    squares += (held_out - held_in * weights).colwise().squaredNorm();
+    first = end;
+  }
+  const Eigen::RowVector2d error = (squares / static_cast<double>(rows)).cwiseSqrt();
+  return {error.x(), error.y()};
 }
 
 }  // namespace pacer::affordance

@@ -42,7 +42,7 @@ struct Mapping {
   };
   std::vector<Input> inputs;  ///< 4C: x, y, size, angle of each item in turn
   Command bias;               ///< the mean action of the matches
-  Command residual;           ///< root mean square error on them
+  Command residual;           ///< held_out_error() of the matches
   std::uint32_t matches = 0;  ///< in training
 
   /// The action for `pose` (4C values), forced into the stick's range. Allocates nothing.
@@ -55,6 +55,14 @@ struct Mapping {
 /// 0. The mean of an angle is circular; where the angles cancel out it is 0.
 [[nodiscard]] Mapping fit_mapping(std::span<const float> poses, std::span<const Command> actions,
                                   const MappingConfig& config);
+
+/// Root mean square error on the examples of `mapping` when each is predicted by least squares as
+/// in fit_mapping(), from the examples of all other stretches of time: pictures a moment apart show
+/// the same. `stretches` names each example's; those of one stretch are neighbours. Examples of a
+/// single stretch are predicted as neutral.
+[[nodiscard]] Command held_out_error(const Mapping& mapping, std::span<const float> poses,
+                                     std::span<const Command> actions,
+                                     std::span<const std::uint64_t> stretches, double ridge);
 
 /// `angle` brought within half a turn of 0, radians.
 [[nodiscard]] float wrapped(float angle) noexcept;

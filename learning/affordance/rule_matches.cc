@@ -69,6 +69,7 @@ MappingExamples gather_examples(std::span<const FeatureLog> logs,
       examples.poses.push_back(log.poses.angle[feature]);
     }
     examples.actions.push_back(log.commands[frame]);
+    examples.stretches.push_back((static_cast<std::uint64_t>(e) << 32U) | log.stretches[frame]);
   }
   return examples;
 }

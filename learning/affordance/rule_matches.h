@@ -52,6 +52,7 @@ class MatchIndex {
 struct MappingExamples {
   std::vector<float> poses;  ///< matches x 4C
   std::vector<Command> actions;
+  std::vector<std::uint64_t> stretches;  ///< which stretch of time of which episode; neighbours
 };
 
 [[nodiscard]] MappingExamples gather_examples(std::span<const FeatureLog> logs,

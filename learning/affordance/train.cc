@@ -312,6 +312,8 @@ void Trainer::learn_mappings() {
     if (index.count(r) < static_cast<std::size_t>(config_.mapping.min_matches)) return;
     const MappingExamples examples = gather_examples(logs_, matches, index, r);
     mappings[r] = fit_mapping(examples.poses, examples.actions, config_.mapping);
+    mappings[r].residual = held_out_error(mappings[r], examples.poses, examples.actions,
+                                          examples.stretches, config_.mapping.ridge);
   });
 
   std::vector<char> kept(model_.rules.size(), 0);

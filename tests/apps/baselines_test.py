@@ -52,12 +52,11 @@ class Baselines(CommandTest):
         self.pacer("drive", SCENARIO, *replay, "--policy", self.learn("ridge"))
 
     def test_who_is_given_boxes_refuses_a_recording_without_them(self):
-        clicks = self.scratch / "clicks"
-        balloon = SCENARIO.replace("follow.yaml", "balloon.yaml")
-        self.pacer("collect", balloon, "--out", clicks, "--episodes", 1, *SMALL,
-                   *settings(simulated__world__placement__distance_m="[1.2, 2.0]"))
+        laps = self.scratch / "laps"
+        lane = SCENARIO.replace("follow.yaml", "lane.yaml")
+        self.pacer("collect", lane, "--out", laps, "--episodes", 1, *SMALL)
         for method in GIVEN:
-            why = self.refusal("train", method, clicks, "--out", self.scratch / "x.model",
+            why = self.refusal("train", method, laps, "--out", self.scratch / "x.model",
                                status=BAD_USAGE)
             self.assertIn("privileged.lead_box", why)
 

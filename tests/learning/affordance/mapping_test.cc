@@ -101,6 +101,49 @@ TEST(Mapping, ASingleExampleIsRepeated) {
   EXPECT_NEAR(mapping.predict(elsewhere, 3.0).steering, 0.3, 1e-6);
 }
 
+/// Against fits that leave a stretch out, one after the other.
+TEST(Mapping, ErrorsAreHeldOutByStretchesOfTime) {
+  Examples examples = linear(60, 1.0, Random(6));
+  Random noise(7);
+  for (Command& action : examples.actions) action.steering += 0.1 * noise.uniform(-1.0, 1.0);
+  std::vector<std::uint64_t> stretches(60);
+  for (std::size_t i = 0; i < 60; ++i) stretches[i] = i / 7;
+  constexpr double kRidge = 1e-6;  // else the others' own standards would be held in other units
+  const Mapping mapping = fit_mapping(examples.poses, examples.actions, {.ridge = kRidge});
+  const Command error =
+      held_out_error(mapping, examples.poses, examples.actions, stretches, kRidge);
+
+  double squares = 0.0;
+  for (std::uint64_t stretch = 0; stretch < 9; ++stretch) {
+    Examples others;
+    for (std::size_t i = 0; i < 60; ++i) {
+      if (stretches[i] == stretch) continue;
+      const auto pose = examples.poses.begin() + static_cast<std::ptrdiff_t>(8 * i);
+      others.poses.insert(others.poses.end(), pose, pose + 8);
+      others.actions.push_back(examples.actions[i]);
+    }
+    const Mapping without = fit_mapping(others.poses, others.actions, {.ridge = kRidge});
+    for (std::size_t i = 0; i < 60; ++i) {
+      if (stretches[i] != stretch) continue;
+      const double off = without.predict({examples.poses.data() + 8 * i, 8}, 100.0).steering -
+                         examples.actions[i].steering;
+      squares += off * off;
+    }
+  }
+  EXPECT_NEAR(error.steering, std::sqrt(squares / 60.0), 1e-3);
+  EXPECT_LT(error.throttle, 1e-3) << "it is linear in the pose";
+}
+
+TEST(Mapping, WhatNoOtherStretchShowsIsPredictedAsNeutral) {
+  const Examples examples = linear(20, 1.0, Random(8));
+  const Mapping mapping = fit_mapping(examples.poses, examples.actions, {});
+  double squares = 0.0;
+  for (const Command& action : examples.actions) squares += action.steering * action.steering;
+  const std::vector<std::uint64_t> one(20, 3);
+  EXPECT_NEAR(held_out_error(mapping, examples.poses, examples.actions, one, 1.0).steering,
+              std::sqrt(squares / 20.0), 1e-12);
+}
+
 TEST(Mapping, FarInputsAreClampedAndOutputsStayOnTheStick) {
   const Examples examples = linear(100, 1.0, Random(5));
   const Mapping mapping = fit_mapping(examples.poses, examples.actions, {.ridge = 0.1});

@@ -102,9 +102,8 @@ TEST(BoxResponse, ABoxThatIsNoneIsALoss) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Frame frame;
   frame.size = {64, 48};
-  EXPECT_EQ(
-      response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9}, frame, annotations),
-      Command{});
+  EXPECT_EQ(response.respond(Box{.x = nan, .y = 1, .width = 9, .height = 9}, frame, annotations),
+            Command{});
 }
 
 }  // namespace
