@@ -10,9 +10,9 @@
 #include <functional>
 
 #include "core/check.h"
+#include "core/parallel.h"
 #include "dataset/demonstration.h"
 #include "learning/affordance/generated_transactions.h"
-#include "learning/affordance/parallel.h"
 #include "learning/affordance/rules_file.h"
 #include "learning/affordance/train.h"
 #include "runs/worker_pool.h"
@@ -71,14 +71,13 @@ int differences_from_brute_force(int databases, Random random) {
 int types_that_differ_from_level_wise(const TransactionDatabase& database,
                                       const AprioriConfig& config, int jobs) {
   std::atomic<int> different{0};
-  affordance::parallel_for(static_cast<std::size_t>(database.type_count), jobs,
-                           [&](std::size_t index) {
-                             const auto type = static_cast<ActionType>(index);
-                             if (affordance::mine_rules(database, type, config) !=
-                                 affordance::reference::level_wise(database, type, config)) {
-                               ++different;
-                             }
-                           });
+  parallel_for(static_cast<std::size_t>(database.type_count), jobs, [&](std::size_t index) {
+    const auto type = static_cast<ActionType>(index);
+    if (affordance::mine_rules(database, type, config) !=
+        affordance::reference::level_wise(database, type, config)) {
+      ++different;
+    }
+  });
   return different;
 }
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/parallel.h"
 #include "learning/affordance/median.h"
-#include "learning/affordance/parallel.h"
 #include "learning/affordance/perception.h"
 #include "learning/affordance/train.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "learning/affordance/parallel.h"
+#include "core/parallel.h"
 #include "learning/affordance/rule_search.h"
 
 namespace pacer::affordance {

@@ -8,9 +8,9 @@
 #include <mutex>
 
 #include "core/check.h"
+#include "core/parallel.h"
 #include "learning/affordance/evidence.h"
 #include "learning/affordance/feature_sample.h"
-#include "learning/affordance/parallel.h"
 #include "learning/affordance/rule_matches.h"
 #include "learning/affordance/rule_search.h"
 #include "learning/affordance/rule_selection.h"

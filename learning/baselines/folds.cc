@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "core/check.h"
-#include "learning/affordance/parallel.h"
+#include "core/parallel.h"
 #include "learning/baselines/tally.h"
 
 namespace pacer::baselines {
@@ -52,7 +52,7 @@ Folds::Reading Folds::read(const TrainingOptions& options, const Visit& visit) c
       options.progress("reading", static_cast<double>(done) / static_cast<double>(episodes));
     }
   };
-  affordance::parallel_for(whole_episodes_ ? count_ : 1, options.jobs, [&](std::size_t fold) {
+  parallel_for(whole_episodes_ ? count_ : 1, options.jobs, [&](std::size_t fold) {
     for (std::size_t episode = fold; episode < episodes; episode += count_) read_episode(episode);
   });
 

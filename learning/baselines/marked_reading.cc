@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/check.h"
-#include "learning/affordance/parallel.h"
+#include "core/parallel.h"
 #include "learning/baselines/tally.h"
 
 namespace pacer::baselines {
@@ -20,7 +20,7 @@ MarkedReading read_marked(const MarkedDemonstration& demonstration, const Traini
   std::vector<std::uint64_t> marked(episodes);
   std::mutex telling;
   std::size_t done = 0;
-  affordance::parallel_for(episodes, options.jobs, [&](std::size_t episode) {
+  parallel_for(episodes, options.jobs, [&](std::size_t episode) {
     const EpisodeVisit take = visit(episode);
     const auto stream = demonstration.open_marked(episode);
     while (const MarkedStep* step = stream->next()) {

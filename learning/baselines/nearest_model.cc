@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/check.h"
-#include "learning/affordance/parallel.h"
+#include "core/parallel.h"
 
 namespace pacer::baselines {
 namespace {
@@ -209,7 +209,7 @@ NearestModel train_nearest(const Demonstration& demonstration, const TrainingOpt
   report.frames = reading.frames;
 
   std::vector<Errors> errors(sizes.size() * folds.count());
-  affordance::parallel_for(errors.size(), options.jobs, [&](std::size_t i) {
+  parallel_for(errors.size(), options.jobs, [&](std::size_t i) {
     errors[i] = errors_on(examples, i % folds.count(), i / folds.count(), options);
   });
   for (std::size_t s = 0; s < sizes.size(); ++s) {

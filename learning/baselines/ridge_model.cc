@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/check.h"
-#include "learning/affordance/parallel.h"
+#include "core/parallel.h"
 #include "learning/baselines/small_picture.h"
 
 namespace pacer::baselines {
@@ -89,7 +89,7 @@ std::vector<Trial> try_ridges(const FoldSums& folds, const RegressionSums& all,
                               const FeatureChoice& choice, const TrainingOptions& options) {
   constexpr std::size_t kCount = std::size(kRidges);
   std::vector<std::array<double, 2>> errors(folds.size() * kCount);
-  affordance::parallel_for(errors.size(), options.jobs, [&](std::size_t i) {
+  parallel_for(errors.size(), options.jobs, [&](std::size_t i) {
     if (options.stop.stop_requested()) throw TrainingStopped();
     const RegressionSums& held_out = folds[i / kCount];
     if (held_out.count() == 0.0) return;

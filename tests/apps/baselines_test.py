@@ -40,9 +40,8 @@ class Baselines(CommandTest):
         self.assertIn("Action signals", page, "all models watch the teacher")
 
     def test_the_same_recording_makes_the_same_bytes_on_any_number_of_threads(self):
-        for method in QUICK:
-            one, two = self.learn(method, 1), self.learn(method, 2, name="other")
-            self.assertEqual(one.read_bytes(), two.read_bytes(), method)
+        one, two = self.learn("ridge", 1), self.learn("ridge", 2, name="other")
+        self.assertEqual(one.read_bytes(), two.read_bytes())
 
     def test_a_tracker_is_refused_where_nobody_can_point(self):
         replay = settings(car="replayed", replayed__dataset=DRIVES)

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace pacer::affordance {
+namespace pacer {
 
 /// Calls work(i) for every i in [0, count), on up to `jobs` threads. Results must go to places of
 /// their own: then nothing depends on `jobs`. When calls throw, the rest are skipped and the
@@ -43,4 +43,4 @@ void parallel_for(std::size_t count, int jobs, const Work& work) {
   }
 }
 
-}  // namespace pacer::affordance
+}  // namespace pacer
