@@ -26,23 +26,25 @@ constexpr std::array<double, 3> kBearings = {20.0, 0.0, -20.0};  // degrees: lef
 constexpr std::array<const char*, 3> kSides = {"left", "middle", "right"};
 constexpr Seconds kDuration{15.0};
 constexpr double kNearer = 0.1;  // metres that it has to come nearer
-constexpr double kRest = 0.03;   // m/s
+constexpr std::size_t kRooms = 3;
+constexpr double kRest = 0.03;  // m/s
 constexpr std::size_t kCases = kDistances.size() * kBearings.size();
 
 /// How one drive to a lead that stands went.
 struct Approach {
-  std::string room;
+  std::size_t room = 0;
   double distance = 0.0;  // metres between the middles, at the start
   std::size_t side = 0;
-  double left = 0.0;  // metres between the middles, at the end
+  double end_distance = 0.0;  // metres between the middles
   bool collided = false;
   bool rests = false;          // for the last second
+  bool ahead = false;          // the lead is, at the end
   std::vector<Vector2d> path;  // of the car's middle
   Vector2d lead = Vector2d::Zero();
   double lead_yaw = 0.0;
 
-  [[nodiscard]] bool approached() const { return distance - left >= kNearer; }
-  [[nodiscard]] bool stopped_short() const { return rests && !collided; }
+  [[nodiscard]] bool approached() const { return distance - end_distance >= kNearer; }
+  [[nodiscard]] bool stopped_short() const { return approached() && rests && ahead && !collided; }
 };
 
 /// Notes where the car goes.
@@ -58,7 +60,10 @@ class Path final : public StepSink {
     approach.rests = frame.time - moved_at_ >= Seconds{1.0};
     approach.lead = truth.lead_pose.position;
     approach.lead_yaw = truth.lead_pose.yaw;
-    approach.left = (approach.lead - truth.car_pose.position).norm();
+    const Vector2d towards = approach.lead - truth.car_pose.position;
+    approach.end_distance = towards.norm();
+    approach.ahead =
+        towards.dot(Vector2d(std::cos(truth.car_pose.yaw), std::sin(truth.car_pose.yaw))) > 0.0;
     return !approach.collided;
   }
 
@@ -73,12 +78,12 @@ struct Case {
   std::size_t room, distance, side;
 };
 Case case_of(std::size_t index) {
-  return {.room = index / kCases % sim::room_kinds().size(),
+  return {.room = index / kCases % kRooms,
           .distance = index % kCases / kBearings.size(),
           .side = index % kBearings.size()};
 }
 
-/// The room that all cases of one kind share.
+/// What all cases of one room share: the room, of the kind that nothing was demonstrated in.
 Random room_random(const Scenario& scenario, std::size_t room) {
   return scenario.episode_random(Purpose::kStudy, room).fork("standing-lead");
 }
@@ -89,7 +94,6 @@ sim::SimCarConfig config_of(const Scenario& scenario, const Case& which) {
   config.world.layout = "standing";
   config.world.standing_lead.distance = kDistances.at(which.distance);
   config.world.standing_lead.bearing = kBearings.at(which.side);
-  config.world.room.kinds = {sim::room_kinds().at(which.room)};
   return config;
 }
 
@@ -106,9 +110,10 @@ Approach approach(const Scenario& scenario, const PolicySource& source, std::siz
 json to_json(const Approach& approach) {
   json path = json::array();
   for (const Vector2d& at : approach.path) path.push_back({at.x(), at.y()});
-  return {{"left", approach.left},
+  return {{"end_distance", approach.end_distance},
           {"collided", approach.collided},
           {"rests", approach.rests},
+          {"ahead", approach.ahead},
           {"lead", {approach.lead.x(), approach.lead.y(), approach.lead_yaw}},
           {"path", path}};
 }
@@ -117,12 +122,13 @@ Vector2d point(const json& value) { return {value[0].get<double>(), value[1].get
 
 Approach approach_from(const json& value, std::size_t index) {
   const Case which = case_of(index);
-  Approach approach{.room = sim::room_kinds().at(which.room),
+  Approach approach{.room = which.room,
                     .distance = kDistances.at(which.distance),
                     .side = which.side,
-                    .left = value["left"],
+                    .end_distance = value["end_distance"],
                     .collided = value["collided"],
                     .rests = value["rests"],
+                    .ahead = value["ahead"],
                     .path = {},
                     .lead_yaw = value["lead"][2]};
   approach.lead = point(value["lead"]);
@@ -196,7 +202,7 @@ double share(const std::vector<Approach>& approaches, bool (Approach::*has)() co
 
 report::Table table_of(const std::vector<Approach>& learned, const std::vector<Approach>& teacher) {
   report::Table table;
-  table.columns = {{.heading = "room"},
+  table.columns = {{.heading = "room", .decimals = 0},
                    {.heading = "lead"},
                    {.heading = "at the start", .unit = "m", .decimals = 1},
                    {.heading = "at the end", .unit = "m"},
@@ -208,9 +214,9 @@ report::Table table_of(const std::vector<Approach>& learned, const std::vector<A
   };
   for (std::size_t i = 0; i < learned.size(); ++i) {
     const Approach& one = learned[i];
-    table.rows.push_back(
-        {.cells = {one.room, kSides.at(one.side), one.distance, one.left, verdict(one.approached()),
-                   verdict(one.stopped_short()), teacher[i].left}});
+    table.rows.push_back({.cells = {static_cast<double>(one.room + 1), kSides.at(one.side),
+                                    one.distance, one.end_distance, verdict(one.approached()),
+                                    verdict(one.stopped_short()), teacher[i].end_distance}});
   }
   return table;
 }
@@ -223,7 +229,7 @@ StudyResult study_standing_lead(const StudyContext& context, report::Page& page)
   const Materials materials(context);
   const std::string model = materials.model(materials.five_minutes()).string();
   const std::vector<PolicySource> sources = PolicySource::load({model, "teacher"});
-  const std::size_t cases = kCases * sim::room_kinds().size();
+  const std::size_t cases = kCases * kRooms;
   const std::vector<json> results =
       run_trials(context, static_cast<std::uint32_t>(sources.size() * cases), "drives",
                  [&](std::uint32_t index) {
@@ -240,34 +246,37 @@ StudyResult study_standing_lead(const StudyContext& context, report::Page& page)
       "Where the car drove: a circle where it started; blue, green and red where the lead stood to "
       "the left, in the middle and to the right of its picture. The lead is a bar: yellow where "
       "the car came to rest short of it.");
-  for (std::size_t room = 0; room < sim::room_kinds().size(); ++room) {
+  for (std::size_t room = 0; room < kRooms; ++room) {
     Plan plan(plan_of(scenario, room));
     for (std::size_t i = room * kCases; i < (room + 1) * kCases; ++i) plan.draw(learned[i]);
-    section.figure({.bytes = plan.png(), .caption = sim::room_kinds()[room]});
+    section.figure({.bytes = plan.png(), .caption = fmt::format("Room {}.", room + 1)});
   }
   page.section("Drives").table(table_of(learned, teacher));
 
   std::vector<double> ends;
   double collisions = 0.0;
   for (const Approach& one : learned) {
-    ends.push_back(one.left);
+    ends.push_back(one.end_distance);
     collisions += one.collided ? 1.0 : 0.0;
   }
   const double approached = share(learned, &Approach::approached);
   const double stopped = share(learned, &Approach::stopped_short);
   StudyResult result;
+  const double teacher_stopped = share(teacher, &Approach::stopped_short);
   result.figures = {{"approached", approached},
                     {"stopped_short", stopped},
                     {"collisions", collisions},
                     {"end_distance_m", report::mean(ends).value},
                     {"nearest_end_m", std::ranges::min(ends)},
                     {"teacher_approached", share(teacher, &Approach::approached)},
-                    {"teacher_stopped_short", share(teacher, &Approach::stopped_short)},
+                    {"teacher_stopped_short", teacher_stopped},
                     {"drives", cases}};
   result.claims = {
       at_least("approached", "6.16: drives towards it", approached, 1.0),
-      at_least("stopped_short", "6.16: slows down and comes to a stop short of it", stopped, 1.0),
-      at_most("collisions", "touches nothing", collisions, 0.0)};
+      at_least("stopped_short", "6.16: drives towards it, slows down and stops short of it",
+               stopped, 1.0),
+      at_most("collisions", "touches nothing", collisions, 0.0),
+      at_least("teacher_stopped_short", "the teacher shows no less", teacher_stopped, 1.0)};
   return result;
 }
 

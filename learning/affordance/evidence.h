@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,7 +36,8 @@ class ConsensusFinder {
 
 /// Whether what matches is the target. A patch of background matches one rule or a few; the target
 /// matches many different ones at one place, in frame after frame. So the evidence is the number
-/// of witnesses, averaged over time; enough is a share of what is typical of the demonstration.
+/// of witnesses, averaged over time; enough is a share of what is typical of the demonstration, but
+/// never less than two that agree.
 /// Who acts needs less of it to go on. No frame without a target is needed to learn it from.
 class Evidence {
  public:
@@ -48,7 +50,9 @@ class Evidence {
 
   /// Witnesses, on average, that are enough now.
   [[nodiscard]] double least() const noexcept {
-    return config_.caution * typical_ * (enough_ ? config_.keep : 1.0);
+    if (config_.caution == 0.0) return 0.0;
+    constexpr double kAgreement = 2.0;  // of rules: one alone agrees with none
+    return std::max(kAgreement, config_.caution * typical_) * (enough_ ? config_.keep : 1.0);
   }
   [[nodiscard]] double value() const noexcept { return value_; }
 

@@ -10,9 +10,9 @@ namespace pacer::affordance {
 
 /// When matches are taken for the target and not for a patch of background; see Evidence.
 struct EvidenceConfig {
-  double caution = 0.2;  ///< share of the demonstration's typical evidence, from which on the car
+  double caution = 0.1;  ///< share of the demonstration's typical evidence, from which on the car
                          ///< acts; 0: on any match
-  double keep = 0.5;     ///< (0, 1]; of that, down to which it goes on acting
+  double keep = 0.4;     ///< (0, 1]; of that, down to which it goes on acting
   Seconds memory{0.3};   ///< that evidence is averaged over
 
   /// Throws std::invalid_argument, naming the field.

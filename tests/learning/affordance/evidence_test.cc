@@ -79,29 +79,40 @@ TEST(Consensus, NothingMatchedIsNoConsensus) {
   EXPECT_EQ(found.configurations, 0);
 }
 
-constexpr double kTypical = 30.0;  // so that 6 are enough to begin, and 3 to go on
+// So that 6 are enough to begin, and 3 to go on.
+constexpr EvidenceConfig kHalfAsMany{.caution = 0.2, .keep = 0.5, .memory = Seconds{0.3}};
+constexpr double kTypical = 30.0;
 
 TEST(Evidence, OneFrameIsNotEnough) {
-  Evidence evidence({}, kTypical);
+  Evidence evidence(kHalfAsMany, kTypical);
   EXPECT_FALSE(evidence.add(Seconds{0.0}, 30));
   EXPECT_FALSE(evidence.add(Seconds{0.04}, 30));
   EXPECT_TRUE(evidence.add(Seconds{0.08}, 30));
 }
 
 TEST(Evidence, AFewRulesForeverAreNotEnough) {
-  Evidence evidence({}, kTypical);
+  Evidence evidence(kHalfAsMany, kTypical);
   for (int i = 0; i < 500; ++i) EXPECT_FALSE(evidence.add(Seconds{0.04 * i}, 5));
   EXPECT_NEAR(evidence.value(), 5.0, 1e-6);
 }
 
 TEST(Evidence, WhoActsNeedsLessToGoOn) {
-  Evidence evidence({}, kTypical);
+  Evidence evidence(kHalfAsMany, kTypical);
   int frame = 0;
   for (; frame < 50; ++frame) (void)evidence.add(Seconds{0.04 * frame}, 20);
   for (; frame < 100; ++frame) EXPECT_TRUE(evidence.add(Seconds{0.04 * frame}, 4));
   for (; frame < 150; ++frame) (void)evidence.add(Seconds{0.04 * frame}, 2);
   EXPECT_FALSE(evidence.add(Seconds{0.04 * frame}, 4));
   for (; frame < 250; ++frame) EXPECT_FALSE(evidence.add(Seconds{0.04 * frame}, 4));
+}
+
+/// However few rules a demonstration has, one alone agrees with none.
+TEST(Evidence, IsTwoRulesAtLeast) {
+  for (const double typical : {0.0, 1.0, 3.0}) {
+    Evidence evidence(kHalfAsMany, typical);
+    for (int i = 0; i < 500; ++i) EXPECT_FALSE(evidence.add(Seconds{0.04 * i}, 1));
+    EXPECT_EQ(evidence.least(), 2.0);
+  }
 }
 
 TEST(Evidence, CountsTimeAndNotFrames) {

@@ -116,6 +116,7 @@ TEST(Train, EvidenceTellsThePatchFromItsBackground) {
   const auto acted = [](double caution, bool visible) {
     auto model = std::make_shared<Model>(trained().model);
     model->config.response.evidence.caution = caution;
+    model->config.response.evidence.keep = 0.5;
     AffordancePolicy policy(model);
     const PatchPainter painter(1001);
     Annotations annotations;
