@@ -15,6 +15,9 @@ struct Command {
 /// `command` with both fields forced into [-1, 1]. NaN becomes 0: bad arithmetic stops the car.
 [[nodiscard]] Command clamped(const Command& command) noexcept;
 
+/// By so much, of full stick, the hand of a driver who holds a stick still moves it.
+inline constexpr double kTremor = 0.02;
+
 /// What goes on the wire.
 struct Pulses {
   Pulse steering{};

@@ -154,14 +154,13 @@ ModelDescription describe(const baselines::RidgeModel& model) {
 
 ModelDescription describe(const baselines::TrackerModel& model) {
   ModelDescription about;
-  about.text =
-      head(fmt::format("tracker model, format {}, {}, given boxes",
-                       baselines::TrackerModel::kVersion, tracking::trackers().front().name),
-           model.origin);
+  about.text = head(fmt::format("tracker model, format {}, {}, given boxes",
+                                baselines::TrackerModel::kVersion, model.tracker),
+                    model.origin);
   about.text += driving_text(model.driving);
   about.json = {{"fingerprint", model.origin.fingerprint},
                 {"given_boxes", to_text(GivenBoxes::kAtTheStart)},
-                {"tracker", tracking::trackers().front().name},
+                {"tracker", model.tracker},
                 {"map", map_json(model.driving.action)}};
   return about;
 }

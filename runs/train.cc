@@ -56,7 +56,7 @@ struct Baseline {
 
 Random chances_of_training(const Scenario& scenario) { return Random(scenario.seed).fork("train"); }
 
-template <baselines::FeatureKind kKind>
+template <baselines::PictureKind kKind>
 std::string learn_ridge(const Scenario& /*scenario*/, const std::filesystem::path& folder,
                         const TrainingOptions& options, baselines::TrainingReport& report) {
   return baselines::to_bytes(
@@ -87,8 +87,8 @@ const std::vector<Baseline>& all_baselines() {
   static const std::vector<Baseline> all = {
       {.method = "supervised", .learn = learn_supervised},
       {.method = "nearest", .learn = learn_nearest},
-      {.method = "ridge", .learn = learn_ridge<baselines::FeatureKind::kGrey>},
-      {.method = "ridge-hog", .learn = learn_ridge<baselines::FeatureKind::kHog>},
+      {.method = "ridge", .learn = learn_ridge<baselines::PictureKind::kGrey>},
+      {.method = "ridge-hog", .learn = learn_ridge<baselines::PictureKind::kHog>},
       {.method = "tracker", .learn = learn_tracker}};
   return all;
 }

@@ -22,10 +22,10 @@ std::string to_text(const affordance::TrainingReport& report) {
     const std::vector<double>& explained = report.found->explained;
     text += fmt::format(
         "commands answer pictures {:.2f} s old: seen so, {:.0f} % of them is explained, and {:.0f} "
-        "% "
-        "without a lag\n",
+        "% without a lag{}\n",
         report.lag.count(), 100.0 * explained[static_cast<std::size_t>(report.found->frames)],
-        100.0 * explained.front());
+        100.0 * explained.front(),
+        report.found->settled ? "" : "; it still moved in the last round, so check it");
   }
   for (const affordance::TrainingReport::Type& type : report.types) {
     text += fmt::format(
@@ -67,6 +67,7 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
   }
   return {{"lag_s", report.lag.count()},
           {"lag_explained", report.found ? report.found->explained : std::vector<double>{}},
+          {"lag_settled", !report.found || report.found->settled},
           {"episodes", report.episodes},
           {"frames", report.frames},
           {"frames_counted", report.frames_counted},

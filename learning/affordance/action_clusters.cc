@@ -53,7 +53,6 @@ Command ActionClusters::centre(ActionType type) const {
 }
 
 bool ActionClusters::one_action() const {
-  constexpr double kTremor = 0.02;
   Eigen::Array2d least = vector(centre(0)).array();
   Eigen::Array2d most = least;
   for (int type = 1; type < count(); ++type) {

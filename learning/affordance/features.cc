@@ -9,6 +9,7 @@
 
 #include "core/check.h"
 #include "learning/affordance/feature_detector.h"
+#include "learning/picture_view.h"
 
 namespace pacer::affordance {
 
@@ -84,12 +85,8 @@ void FeatureExtractor::extract(const Frame& frame, Features& features) {
   const int rows = frame.size.height - first_row;
   if (rows < 16 || frame.size.width < 16) return;  // smaller than any feature's neighbourhood
 
-  // A header over the frame's own bytes: OpenCV has no const view, and only reads here.
-  const std::size_t pitch = 3 * static_cast<std::size_t>(frame.size.width);
-  const cv::Mat region(
-      rows, frame.size.width, CV_8UC3,
-      const_cast<std::uint8_t*>(frame.rgb.data()) + pitch * static_cast<std::size_t>(first_row));
-  cv::cvtColor(region, impl.grey, cv::COLOR_RGB2GRAY);
+  cv::cvtColor(rgb_view(frame).rowRange(first_row, frame.size.height), impl.grey,
+               cv::COLOR_RGB2GRAY);
 
   impl.kept.clear();
   for (std::size_t kind = 0; kind < impl.detectors.size(); ++kind) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
 namespace pacer::affordance {
 
@@ -18,14 +19,18 @@ Knowledge knowledge_of(const Model& model) {
         static_cast<double>(model.frames_matched) / static_cast<double>(model.frames_learnt);
   }
   // Whitening undoes the commands' deviations: those are the lengths of the rows of its inverse.
-  const Eigen::Matrix2d spread = model.actions.whiten.inverse();
-  const double steering = spread.row(0).norm();
-  const double throttle = spread.row(1).norm();
-  for (const Mapping& mapping : model.mappings) {
-    knowledge.error +=
-        0.5 * (mapping.residual.steering / steering + mapping.residual.throttle / throttle);
+  // It takes none for less than a thousandth: that of a stick that nobody moved is not its own.
+  constexpr double kMoved = 2e-3;
+  const Eigen::Vector2d deviation = model.actions.whiten.inverse().rowwise().norm();
+  std::size_t errors = 0;
+  for (const auto& [row, stick] : {std::pair(0, &Command::steering), {1, &Command::throttle}}) {
+    if (deviation[row] <= kMoved) continue;
+    for (const Mapping& mapping : model.mappings) {
+      knowledge.error += mapping.held_out.*stick / deviation[row];
+      ++errors;
+    }
   }
-  if (!model.mappings.empty()) knowledge.error /= static_cast<double>(model.mappings.size());
+  if (errors > 0) knowledge.error /= static_cast<double>(errors);
   return knowledge;
 }
 

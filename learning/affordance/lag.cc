@@ -12,6 +12,7 @@
 #include "learning/affordance/median.h"
 #include "learning/affordance/perception.h"
 #include "learning/affordance/train.h"
+#include "learning/read_episodes.h"
 
 namespace pacer::affordance {
 namespace {
@@ -40,24 +41,26 @@ class AnsweredStream final : public DemonstrationStream {
   DemonstratedStep answered_;
 };
 
-/// Every other episode, from `first` on, so that what was learnt can be held against what was not.
-class EveryOther final : public Demonstration {
+/// The `first` episode and every `stride`-th after it, so that what was learnt can be held against
+/// what was not.
+class SomeEpisodes final : public Demonstration {
  public:
-  EveryOther(const Demonstration& demonstration, std::size_t first)
-      : demonstration_(demonstration), first_(first) {}
+  SomeEpisodes(const Demonstration& demonstration, std::size_t first, std::size_t stride)
+      : demonstration_(demonstration), first_(first), stride_(stride) {}
   std::size_t episode_count() const override {
-    return (demonstration_.episode_count() + 1 - first_) / 2;
+    return (demonstration_.episode_count() - first_ + stride_ - 1) / stride_;
   }
   double frame_rate_hz() const override { return demonstration_.frame_rate_hz(); }
   ImageSize image_size() const override { return demonstration_.image_size(); }
   std::string fingerprint() const override { return demonstration_.fingerprint(); }
   std::unique_ptr<DemonstrationStream> open(std::size_t episode) const override {
-    return demonstration_.open(2 * episode + first_);
+    return demonstration_.open(stride_ * episode + first_);
   }
 
  private:
   const Demonstration& demonstration_;
   std::size_t first_;
+  std::size_t stride_;
 };
 
 /// Some pictures of an episode, and every command that was sent.
@@ -77,13 +80,12 @@ void halve(std::vector<Value>& values) {
 }
 
 /// Takes the features of at most `most` pictures, evenly spaced.
-Watched watch(DemonstrationStream& steps, const FeatureConfig& config, std::size_t most,
-              const std::stop_token& stop) {
+Watched watch(TrainingSteps<DemonstrationStream>& steps, const FeatureConfig& config,
+              std::size_t most) {
   Watched watched;
   FeatureExtractor extractor(config);
   std::size_t every = 2;
   while (const DemonstratedStep* step = steps.next()) {
-    if (stop.stop_requested()) throw TrainingStopped();
     if (watched.sent.size() % every == 0) {
       if (watched.pictures.size() == most) {
         halve(watched.pictures);
@@ -176,7 +178,13 @@ AnsweredDemonstration::AnsweredDemonstration(const Demonstration& demonstration,
   check(lag >= 0, "a command answers a picture that has been seen");
 }
 
+std::size_t longest_lag(double frame_rate_hz) {
+  constexpr double kRounding = 1e-9;  // of a frame
+  return static_cast<std::size_t>(std::floor(kLongestLag.count() * frame_rate_hz + kRounding));
+}
+
 std::unique_ptr<DemonstrationStream> AnsweredDemonstration::open(std::size_t episode) const {
+  if (lag_ == 0) return demonstration_.open(episode);
   return std::make_unique<AnsweredStream>(demonstration_.open(episode),
                                           static_cast<std::size_t>(lag_));
 }
@@ -189,11 +197,9 @@ FoundLag find_lag(const Demonstration& demonstration, const AffordanceConfig& co
   if (demonstration.episode_count() < 2) {
     throw UsageError(
         "transactions.lag_s: to find the lag takes two episodes at least, one to learn from and "
-        "one "
-        "to hold it against; record more, or give the lag in seconds");
+        "one to hold it against; record more, or give the lag in seconds");
   }
-  const auto longest =
-      static_cast<std::size_t>(std::lround(kLongestLag.count() * demonstration.frame_rate_hz()));
+  const std::size_t longest = longest_lag(demonstration.frame_rate_hz());
   AffordanceConfig modest = config;
   modest.transactions.lag = "0";
   modest.transactions.most_frames =
@@ -204,11 +210,11 @@ FoundLag find_lag(const Demonstration& demonstration, const AffordanceConfig& co
       options.progress("lag: " + std::string(stage), share);
     };
   }
-  const EveryOther rest(demonstration, 1);
+  const PictureShares shares = picture_shares(demonstration.episode_count() / 2, kEnough);
+  const SomeEpisodes rest(demonstration, 1, 2 * shares.stride);
   std::vector<Watched> watched(rest.episode_count());
-  parallel_for(watched.size(), options.jobs, [&](std::size_t episode) {
-    watched[episode] = watch(*rest.open(episode), config.features,
-                             std::max<std::size_t>(2, kEnough / watched.size()), options.stop);
+  read_episodes(rest, telling, "pictures", [&](std::size_t episode, auto& steps) {
+    watched[episode] = watch(steps, config.features, shares.each);
   });
 
   FoundLag found;
@@ -216,7 +222,7 @@ FoundLag find_lag(const Demonstration& demonstration, const AffordanceConfig& co
     const int before = found.frames;
     ++found.rounds;
     const AnsweredDemonstration answered(demonstration, before);
-    const Model model = train(EveryOther(answered, 0), modest, random, telling).model;
+    const Model model = train(SomeEpisodes(answered, 0, 2), modest, random, telling).model;
     parallel_for(watched.size(), options.jobs,
                  [&](std::size_t episode) { answer(model, watched[episode]); });
     measure(watched, longest, found);
@@ -225,7 +231,8 @@ FoundLag find_lag(const Demonstration& demonstration, const AffordanceConfig& co
                        " pictures only, too few to find the lag; record more, or give the lag in "
                        "seconds");
     }
-    if (found.frames == before) break;
+    found.settled = found.frames == before;
+    if (found.settled) break;
   }
   return found;
 }
@@ -242,7 +249,8 @@ SettledLag settle_lag(const Demonstration& demonstration, const AffordanceConfig
   settled.found = find_lag(demonstration, config, random.fork("lag"), options);
   settled.frames = settled.found->frames;
   std::array<char, 32> digits{};
-  const double seconds = static_cast<double>(settled.frames) / rate_hz;
+  const double seconds =
+      std::min(kLongestLag.count(), static_cast<double>(settled.frames) / rate_hz);
   settled.config.transactions.lag.assign(
       digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), seconds).ptr);
   return settled;

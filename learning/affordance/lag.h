@@ -44,12 +44,16 @@ struct FoundLag {
   std::vector<double> explained;
   std::uint64_t pictures = 0;  ///< it was measured on; each with all lags
   int rounds = 0;              ///< of learning and measuring
+  bool settled = false;        ///< whether the last round found the lag that it had learnt with
 };
+
+/// kLongestLag in whole frames.
+[[nodiscard]] std::size_t longest_lag(double frame_rate_hz);
 
 /// Finds how much later than the pictures the commands of `demonstration` come
 /// (docs/design/lag.md), up to kLongestLag: learns a model from every other episode, lets it answer
 /// the pictures of the rest, and takes the lag at which these answers explain most of the commands;
-/// then learns with that lag and measures again, until it stays.
+/// then learns with that lag and measures again, until it stays, four times at most.
 ///
 /// The same demonstration, config and random: the same lag. Throws UsageError when there are fewer
 /// than two episodes, or too little in them to learn from; and like train().

@@ -42,7 +42,7 @@ struct Mapping {
   };
   std::vector<Input> inputs;  ///< 4C: x, y, size, angle of each item in turn
   Command bias;               ///< the mean action of the matches
-  Command residual;           ///< held_out_error() of the matches
+  Command held_out;           ///< held_out_error() of the matches; 0 from fit_mapping()
   std::uint32_t matches = 0;  ///< in training
 
   /// The action for `pose` (4C values), forced into the stick's range. Allocates nothing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/affordance/model.h"
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "learning/byte_stream.h"
@@ -39,6 +40,7 @@ ActionClusters read_actions(ByteReader& in) {
     finite<double>(std::span<const double>(actions.centres.back().data(), 2), "action types");
   }
   sane(actions.mean.allFinite() && actions.whiten.allFinite(), "action whitening");
+  sane(std::abs(actions.whiten.determinant()) > 1e-6, "action whitening");  // it is inverted
   return actions;
 }
 
@@ -48,7 +50,7 @@ void write_rule(const Rule& rule, const Mapping& mapping, ByteWriter& out) {
   out.value(rule.holding);
   out.sequence(std::span<const Item>(rule.items));
   out.value(mapping.matches);
-  for (const Command& command : {mapping.bias, mapping.residual}) {
+  for (const Command& command : {mapping.bias, mapping.held_out}) {
     out.value(command.steering);
     out.value(command.throttle);
   }
@@ -72,7 +74,7 @@ void read_rule(ByteReader& in, const Model& model, Rule& rule, Mapping& mapping)
     sane(rule.items[i - 1] < rule.items[i], "a rule's items");
   }
   mapping.matches = in.value<std::uint32_t>();
-  for (Command* command : {&mapping.bias, &mapping.residual}) {
+  for (Command* command : {&mapping.bias, &mapping.held_out}) {
     command->steering = in.value<double>();
     command->throttle = in.value<double>();
     sane(std::isfinite(command->steering) && std::isfinite(command->throttle), "a mapping");

@@ -35,7 +35,7 @@ struct Model {
   std::vector<std::uint32_t> frequency;  ///< transactions that held each item
   std::vector<Rule> rules;               ///< by action type, then items
   std::vector<Mapping> mappings;         ///< one a rule
-  double typical_witnesses = 0.0;        ///< rules that agree on a place, in most frames
+  double typical_witnesses = 0.0;        ///< rules that agree on a place, the median of its frames
   RuleMatcher matcher;                   ///< of `rules`; made anew on reading
 
   /// The number in the file that a change of its format or meaning raises.

@@ -47,9 +47,10 @@ class SearchPool {
 }  // namespace
 
 // Sets are shared out by their rarest item, and nothing that is found depends on another search,
-// but that what holds a rule is not to be looked at where rules are not grown. There only so many
-// items are searched at once, each knowing the rules of all before; what yet holds one of another
-// that was searched at the same time is dropped as they come together, in order.
+// but that what holds a rule is not to be looked at where rules are not grown. Only so many items
+// are searched at once, so that few rules wait to be told of, and each search knows the least count
+// and the rules of all before; what yet holds a rule of another that was searched at the same time
+// is dropped as they come together, in order.
 void search_rules(const TransactionIndex& index, const Thresholds& thresholds, ActionType type,
                   int jobs, const std::stop_token& stop, const RuleSearch::Found& found) {
   if (jobs <= 1) {
@@ -57,13 +58,12 @@ void search_rules(const TransactionIndex& index, const Thresholds& thresholds, A
     return;
   }
   constexpr std::size_t kAtOnce = 32;
-  const std::size_t step = thresholds.grow_confident ? index.ranks() : kAtOnce;
   std::uint32_t min_count = thresholds.min_count;
   KnownRules known(index.ranks());
   SearchPool pool(
       [&] { return std::make_unique<RuleSearch>(index, thresholds, type, stop, &known); });
-  for (std::size_t first = 0; first < index.ranks() && !stop.stop_requested(); first += step) {
-    std::vector<std::vector<FoundRule>> parts(std::min(step, index.ranks() - first));
+  for (std::size_t first = 0; first < index.ranks() && !stop.stop_requested(); first += kAtOnce) {
+    std::vector<std::vector<FoundRule>> parts(std::min(kAtOnce, index.ranks() - first));
     parallel_for(parts.size(), jobs, [&](std::size_t part) {
       std::unique_ptr<RuleSearch> search = pool.take();
       search->run(

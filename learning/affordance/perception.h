@@ -32,7 +32,7 @@ struct SearchRegion {
 
 /// How long the stages of one response took.
 struct ResponseTimes {
-  Seconds features{};  ///< SIFT
+  Seconds features{};  ///< of every kind
   Seconds words{};
   Seconds matching{};  ///< configurations, subset tests, mappings, median
   [[nodiscard]] Seconds total() const noexcept { return features + words + matching; }

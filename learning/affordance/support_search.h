@@ -21,10 +21,10 @@ struct SupportChoice {
 /// Exact: one transaction less would give more than `wanted` rules, or is below the bound. It can
 /// be fewer than `wanted` by as many as have the same count, less one; it is more only if more are
 /// supported by all transactions there are. Rules only become more as support falls, so the search
-/// halves the support until there are too many, and raises it again as it counts them: it never
-/// holds them, nor goes below half of the answer. On up to `jobs` threads, which changes nothing in
-/// it. Means nothing once `stop` was requested. Throws
-/// std::invalid_argument.
+/// halves the support until there are too many, and raises it again as it counts them: it does
+/// not hold them, but on several threads those of 32 items at a time, nor does it go below half of
+/// the answer. On up to `jobs` threads, which changes nothing in it. Means nothing once `stop` was
+/// requested. Throws std::invalid_argument.
 [[nodiscard]] SupportChoice support_for_rule_count(const TransactionDatabase& database,
                                                    ActionType type, const AprioriConfig& config,
                                                    std::size_t wanted, int jobs = 1,

@@ -2,31 +2,21 @@
 #include "learning/affordance/train.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <cmath>
-#include <mutex>
 
 #include "core/check.h"
 #include "core/parallel.h"
 #include "learning/affordance/evidence.h"
-#include "learning/affordance/feature_sample.h"
 #include "learning/affordance/rule_matches.h"
 #include "learning/affordance/rule_search.h"
 #include "learning/affordance/rule_selection.h"
 #include "learning/affordance/support_search.h"
+#include "learning/affordance/survey.h"
 #include "learning/affordance/transactions.h"
+#include "learning/read_episodes.h"
 
 namespace pacer::affordance {
 namespace {
-
-/// What the first reading notes of an episode.
-struct Survey {
-  std::vector<Command> commands;  // of every frame
-  std::vector<char> counts;       // whether the frame differs from the ones before
-  std::uint64_t counted = 0;      // how many do
-  std::uint64_t before = 0;       // how many did in the episodes before
-};
 
 class Trainer {
  public:
@@ -42,7 +32,7 @@ class Trainer {
   }
 
   TransactionDatabase gather() {
-    stage("survey", [&] { survey(); });
+    stage("survey", [&] { survey_ = survey(demonstration_, config_, random_, options_); });
     stage("action types", [&] { find_action_types(); });  // 6.3
     stage("words", [&] { build_words(); });               // 6.5
     stage("features", [&] { read_features(); });          // 6.5
@@ -70,33 +60,9 @@ class Trainer {
   }
 
   void tell(double share) {
-    const std::scoped_lock lock(telling_);
     if (options_.progress) options_.progress(stage_, share);
   }
 
-  /// Streams every episode, each on one thread: visit(episode, index of the step, step).
-  template <class Visit>
-  void read_episodes(const Visit& visit) {
-    std::atomic<std::size_t> done{0};
-    const std::size_t episodes = demonstration_.episode_count();
-    parallel_for(episodes, options_.jobs, [&](std::size_t episode) {
-      const auto stream = demonstration_.open(episode);
-      std::size_t index = 0;
-      auto step_visit = visit(episode);
-      while (const DemonstratedStep* step = stream->next()) {
-        if (options_.stop.stop_requested()) throw TrainingStopped();
-        if (step->frame->size != model_.image_size) {
-          throw std::runtime_error("episode " + std::to_string(episode) +
-                                   ": a frame's size is not the recording's");
-        }
-        step_visit(index++, *step);
-      }
-      step_visit.finish();
-      tell(static_cast<double>(++done) / static_cast<double>(episodes));
-    });
-  }
-
-  void survey();
   void find_action_types();
   void build_words();
   void read_features();
@@ -109,68 +75,26 @@ class Trainer {
   const Random& random_;
   const TrainingOptions& options_;
   const char* stage_ = "";
-  std::mutex telling_;
 
-  std::vector<Survey> surveys_;  // an episode each
-  FeatureSample sample_{0};
+  Survey survey_;
   std::vector<FeatureLog> logs_;  // an episode each
   TransactionDatabase database_;
   Model model_;
   TrainingReport report_;
 };
 
-void Trainer::survey() {
-  struct Visit {
-    Trainer& trainer;
-    Survey& survey;
-    ChangeDetector changes;
-    FeatureExtractor extractor;
-    FeatureSample sample;
-    Random random;
-    std::size_t stride;
-    std::mutex& merging;
-    Features features{};
-
-    void operator()(std::size_t, const DemonstratedStep& step) {
-      const bool counts = changes.counts(*step.frame, step.command);
-      survey.commands.push_back(step.command);
-      survey.counts.push_back(counts ? 1 : 0);
-      if (!counts || survey.counted++ % stride != 0) return;
-      extractor.extract(*step.frame, features);
-      for (std::size_t i = 0; i < features.count(); ++i) sample.offer(random.next(), features, i);
-    }
-    void finish() {
-      const std::scoped_lock lock(merging);
-      trainer.sample_.merge(sample);
-    }
-  };
-  const double stride = std::round(config_.words.every * model_.frame_rate_hz);
-  const auto samples = static_cast<std::size_t>(config_.words.samples);
-  std::mutex merging;
-  sample_ = FeatureSample(samples);
-  surveys_.resize(demonstration_.episode_count());
-  read_episodes([&](std::size_t episode) {
-    return Visit{.trainer = *this,
-                 .survey = surveys_[episode],
-                 .changes = ChangeDetector(config_.transactions),
-                 .extractor = FeatureExtractor(config_.features),
-                 .sample = FeatureSample(samples),
-                 .random = random_.fork("word sample", episode),
-                 .stride = std::max<std::size_t>(1, static_cast<std::size_t>(stride)),
-                 .merging = merging};
-  });
-}
-
 void Trainer::find_action_types() {
-  std::vector<Command> commands;
-  for (Survey& survey : surveys_) {
-    commands.insert(commands.end(), survey.commands.begin(), survey.commands.end());
-    survey.commands = {};
-    survey.before = report_.frames_counted;
-    report_.frames_counted += survey.counted;
+  for (const Survey::Episode& episode : survey_.episodes) {
+    report_.frames += episode.commands.size();
   }
-  report_.episodes = surveys_.size();
-  report_.frames = commands.size();
+  std::vector<Command> commands;
+  commands.reserve(report_.frames);
+  for (Survey::Episode& episode : survey_.episodes) {
+    commands.insert(commands.end(), episode.commands.begin(), episode.commands.end());
+    episode.commands = std::vector<Command>();
+  }
+  report_.episodes = survey_.episodes.size();
+  report_.frames_counted = survey_.counted;
   if (commands.empty()) throw UsageError("the demonstration holds no frames; record some first");
   model_.actions = cluster_actions(commands, config_.actions, random_.fork("action types"));
   if (model_.actions.one_action()) {
@@ -181,7 +105,7 @@ void Trainer::find_action_types() {
 }
 
 void Trainer::build_words() {
-  const Features sample = sample_.take();
+  const Features sample = survey_.sample.take();
   report_.word_samples = sample.count();
   std::vector<FeatureKind> kinds;
   for (const std::string& name : config_.features.kinds) {
@@ -197,43 +121,29 @@ void Trainer::build_words() {
 }
 
 void Trainer::read_features() {
-  struct Visit {
-    const Model& model;
-    const Survey& survey;
-    FeatureLog& log;
-    FeatureExtractor extractor;
-    std::uint64_t counted;  // in the whole recording
-    std::uint64_t most;
-    Seconds stretch;
-    std::uint64_t number = 0;  // of the frame among those
+  const auto most = static_cast<std::uint64_t>(config_.transactions.most_frames);
+  logs_.resize(survey_.episodes.size());
+  read_episodes(demonstration_, options_, stage_, [&](std::size_t number, auto& steps) {
+    const Survey::Episode& episode = survey_.episodes[number];
+    FeatureLog& log = logs_[number];
+    FeatureExtractor extractor(config_.features);
+    Features features;
+    Words words;
     Seconds start{};
-    Features features{};
-    Words words{};
-
-    void operator()(std::size_t index, const DemonstratedStep& step) {
-      if (index == 0) start = step.frame->time;
-      check(index < survey.counts.size(), "a recording reads the same twice");
-      if (survey.counts[index] == 0 || !taken(number++, counted, most)) return;
-      extractor.extract(*step.frame, features);
-      model.vocabulary.label(features, words);
-      const double stretches = std::max(0.0, (step.frame->time - start) / stretch);
-      log.add(features, words, step.command, model.actions.assign(step.command),
+    std::uint64_t counted = episode.before;
+    for (std::size_t i = 0; const DemonstratedStep* step = steps.next(); ++i) {
+      check(i < episode.counts.size(), "a recording reads the same twice");
+      if (i == 0) start = step->frame->time;
+      if (episode.counts[i] == 0 || !taken(counted++, survey_.counted, most)) continue;
+      extractor.extract(*step->frame, features);
+      model_.vocabulary.label(features, words);
+      const double stretches =
+          std::max(0.0, (step->frame->time - start) / config_.transactions.stretch);
+      log.add(features, words, step->command, model_.actions.assign(step->command),
               static_cast<std::uint32_t>(std::min(stretches, 1e9)));
     }
-    void finish() {}
-  };
-  logs_.resize(demonstration_.episode_count());
-  read_episodes([&](std::size_t episode) {
-    return Visit{.model = model_,
-                 .survey = surveys_[episode],
-                 .log = logs_[episode],
-                 .extractor = FeatureExtractor(config_.features),
-                 .counted = report_.frames_counted,
-                 .most = static_cast<std::uint64_t>(config_.transactions.most_frames),
-                 .stretch = config_.transactions.stretch,
-                 .number = surveys_[episode].before};
   });
-  surveys_.clear();
+  survey_ = {};
   for (const FeatureLog& log : logs_) {
     report_.features += log.poses.count();
     report_.frames_learnt += log.frame_count();
@@ -312,7 +222,7 @@ void Trainer::learn_mappings() {
     if (index.count(r) < static_cast<std::size_t>(config_.mapping.min_matches)) return;
     const MappingExamples examples = gather_examples(logs_, matches, index, r);
     mappings[r] = fit_mapping(examples.poses, examples.actions, config_.mapping);
-    mappings[r].residual = held_out_error(mappings[r], examples.poses, examples.actions,
+    mappings[r].held_out = held_out_error(mappings[r], examples.poses, examples.actions,
                                           examples.stretches, config_.mapping.ridge);
   });
 

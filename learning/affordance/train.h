@@ -63,8 +63,9 @@ struct NothingLearnt : std::runtime_error {
 };
 
 /// Learns a model from `demonstration` (chapter 6). Reads it twice, an episode a thread, and keeps
-/// the command of every frame, and of the frames that count, at most
-/// `config.transactions.most_frames` of them, the features as words. Where the lag is to be
+/// the command of every frame until they are clustered into action types, for which it takes about
+/// 40 bytes a frame; and of the frames that count, at most `config.transactions.most_frames` of
+/// them, the features as words. Where the lag is to be
 /// found, that comes first and takes about twice as long again; the model's config has what was
 /// found.
 ///

@@ -22,7 +22,7 @@ inline constexpr Seconds kLongestLag{0.8};
 struct TransactionConfig {
   int wanted = 150000;      ///< about so many transactions, of evenly thinned frames
   int most_frames = 30000;  ///< that are learnt from: of more, evenly thinned ones, so that
-                            ///< memory hardly grows with the recording (17 bytes a frame)
+                            ///< memory hardly grows with the recording (40 bytes a frame)
   double common_item_percent = 12.0;  ///< of transactions: an item that more of them hold tells
                                       ///< nothing apart and swamps the search; it is left out
   double picture_change = 1.5;        ///< grey levels; see ChangeDetector

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/baselines/box_response.h"
 
-#include "learning/sealed_file.h"
+#include <string>
+
+#include "learning/config_text.h"
 
 namespace pacer::baselines {
 
 void BoxDriving::write(ByteWriter& out) const {
   action.write(out);
-  out.text(when_lost.strategy);
-  out.value(when_lost.hold.count());
-  out.value(when_lost.search.count());
-  out.value(when_lost.search_throttle);
-  out.value(when_lost.stop_throttle);
+  LossConfig config = when_lost;
+  ConfigTextWriter settings;
+  config.fields(settings);
+  out.text(settings.text());
 }
 
 BoxDriving BoxDriving::read(ByteReader& in) {
   BoxDriving driving;
   driving.action = BoxAction::read(in);
-  driving.when_lost.strategy = in.text();
-  driving.when_lost.hold = Seconds{in.value<double>()};
-  driving.when_lost.search = Seconds{in.value<double>()};
-  driving.when_lost.search_throttle = in.value<double>();
-  driving.when_lost.stop_throttle = in.value<double>();
+  const std::string settings = in.text();
+  driving.when_lost.fields(ConfigTextReader(settings));
   driving.when_lost.validate();
   return driving;
 }

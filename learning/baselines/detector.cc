@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/check.h"
+#include "learning/picture_view.h"
 #include "learning/sealed_file.h"
 
 namespace pacer::baselines {
@@ -112,9 +113,7 @@ Detector::Detector(Detector&&) noexcept = default;
 
 std::optional<Detection> Detector::detect(const Frame& frame) {
   check(frame.size == size_, "a detector looks at frames of its size");
-  const cv::Mat rgb(size_.height, size_.width, CV_8UC3,
-                    const_cast<std::uint8_t*>(frame.rgb.data()));  // only read from
-  cv::cvtColor(rgb, grey_, cv::COLOR_RGB2GRAY);
+  cv::cvtColor(rgb_view(frame), grey_, cv::COLOR_RGB2GRAY);
   squeeze(grey_, aspect_, squeezed_);
   detector_->detect(squeezed_, boxes_, confidences_);
   const auto surest = std::ranges::max_element(confidences_);

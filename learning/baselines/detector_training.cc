@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <mutex>
 #include <numeric>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -48,18 +49,28 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Discards what is printed to std::cerr.
+/// Discards what is printed to std::cerr, and leaves it as it was. One at a time: a second waits.
 class Quiet {
  public:
-  Quiet() : old_(std::cerr.rdbuf(nullptr)) {}
+  Quiet() : alone_(mutex()), format_(nullptr), old_(std::cerr.rdbuf()) {
+    format_.copyfmt(std::cerr);
+    std::cerr.rdbuf(nullptr);
+  }
   ~Quiet() {
     std::cerr.rdbuf(old_);
-    std::cerr.clear();
+    std::cerr.copyfmt(format_);
   }
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
  private:
+  static std::mutex& mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+
+  std::scoped_lock<std::mutex> alone_;
+  std::ios format_;
   std::streambuf* old_;
 };
 
@@ -139,9 +150,8 @@ void add_background(const cv::Mat1b& squeezed, const cv::Rect2d& target, Picture
 double usual_aspect(std::span<const MarkedPicture> pictures) {
   std::vector<double> aspects;
   for (const MarkedPicture& picture : pictures) {
-    if (picture.target) aspects.push_back(picture.target->width / picture.target->height);
+    aspects.push_back(picture.target.width / picture.target.height);
   }
-  if (aspects.empty()) return 1.0;
   const auto middle = aspects.begin() + static_cast<std::ptrdiff_t>(aspects.size() / 2);
   std::ranges::nth_element(aspects, middle);
   return std::clamp(*middle, 0.25, 4.0);
@@ -150,6 +160,13 @@ double usual_aspect(std::span<const MarkedPicture> pictures) {
 }  // namespace
 
 WaldBoost train_detector(std::span<const MarkedPicture> pictures, const Random& random) {
+  constexpr std::size_t kFewest = 10;
+  if (pictures.size() < kFewest) {
+    throw UsageError(
+        fmt::format("the target is marked in {} of the frames looked at, and {} are wanted at "
+                    "least; demonstrate with it in view",
+                    pictures.size(), kFewest));
+  }
   WaldBoost boost;
   boost.aspect = usual_aspect(pictures);
   const TemporaryFolder folder;
@@ -163,21 +180,18 @@ WaldBoost train_detector(std::span<const MarkedPicture> pictures, const Random& 
   cv::Mat1b window;
   for (const std::size_t i : order) {
     const MarkedPicture& picture = pictures[i];
-    if (!picture.target) continue;  // nobody said that all of it is background
     squeeze(picture.grey, boost.aspect, squeezed);
-    const cv::Rect2d around = window_about(*picture.target, boost.aspect);
+    const cv::Rect2d around = window_about(picture.target, boost.aspect);
     for (int copy = 0; copy < kCopies; ++copy) {
       cut_out(squeezed, scattered(around, dice), window);
       targets.add(window);
     }
     add_background(squeezed, around, backgrounds);
   }
-  constexpr int kFewest = 10;
-  if (targets.count() < kFewest * kCopies || backgrounds.count() == 0) {
+  if (backgrounds.count() == 0) {
     throw UsageError(
-        fmt::format("the target is marked in {} of the frames looked at, and {} are wanted at "
-                    "least; demonstrate with it in view",
-                    targets.count() / kCopies, kFewest));
+        "the target leaves no room beside it in any frame looked at, so there is nothing to tell "
+        "it from; demonstrate from further away");
   }
   const cv::Ptr<cv::xobjdetect::WBDetector> detector = cv::xobjdetect::WBDetector::create();
   {
@@ -192,7 +206,7 @@ WaldBoost train_detector(std::span<const MarkedPicture> pictures, const Random& 
       throw UsageError("the marked pictures are too alike to learn a detector from; record more");
     }
     one.weight = std::clamp(one.weight, -kMost, kMost);
-    one.least = std::clamp(one.least, -kMost, kMost);
+    one.least = std::clamp(one.least, -kMost, 0.5F * kMost);  // a window passes above it only
   }
   return boost;
 }

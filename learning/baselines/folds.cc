@@ -2,12 +2,10 @@
 #include "learning/baselines/folds.h"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
 
 #include "core/check.h"
-#include "core/parallel.h"
 #include "learning/baselines/tally.h"
+#include "learning/read_episodes.h"
 
 namespace pacer::baselines {
 namespace {
@@ -28,33 +26,17 @@ Folds::Folds(const Demonstration& demonstration)
 }
 
 Folds::Reading Folds::read(const TrainingOptions& options, const Visit& visit) const {
-  const std::size_t episodes = demonstration_.episode_count();
   std::vector<Tally> tallies(count_);
-  std::atomic<std::size_t> done{0};
-  std::mutex telling;
-  const auto read_episode = [&](std::size_t episode) {
-    const auto stream = demonstration_.open(episode);
-    std::size_t index = 0;
-    while (const DemonstratedStep* step = stream->next()) {
-      if (options.stop.stop_requested()) throw TrainingStopped();
-      if (step->frame->size != demonstration_.image_size()) {
-        throw std::runtime_error("episode " + std::to_string(episode) +
-                                 ": a frame's size is not the recording's");
-      }
-      const std::size_t fold = (whole_episodes_ ? episode : index / stretch_) % count_;
-      tallies[fold].add(step->command);
-      visit(fold, *step);
-      ++index;
-    }
-    const std::scoped_lock lock(telling);
-    ++done;
-    if (options.progress) {
-      options.progress("reading", static_cast<double>(done) / static_cast<double>(episodes));
-    }
-  };
-  parallel_for(whole_episodes_ ? count_ : 1, options.jobs, [&](std::size_t fold) {
-    for (std::size_t episode = fold; episode < episodes; episode += count_) read_episode(episode);
-  });
+  read_episodes(
+      demonstration_, options, "reading", whole_episodes_ ? count_ : 1,
+      [&](std::size_t episode) { return demonstration_.open(episode); },
+      [&](std::size_t episode, auto& steps) {
+        for (std::size_t i = 0; const DemonstratedStep* step = steps.next(); ++i) {
+          const std::size_t fold = (whole_episodes_ ? episode : i / stretch_) % count_;
+          tallies[fold].add(step->command);
+          visit(fold, *step);
+        }
+      });
 
   Tally all;
   for (const Tally& tally : tallies) all.merge(tally);
@@ -64,7 +46,7 @@ Folds::Reading Folds::read(const TrainingOptions& options, const Visit& visit) c
         "the demonstration is too short to choose settings on; record several episodes, or some "
         "seconds at least");
   }
-  return {.episodes = episodes, .frames = all.frames(), .mean = all.mean()};
+  return {.episodes = demonstration_.episode_count(), .frames = all.frames(), .mean = all.mean()};
 }
 
 double relative_error(const std::array<double, 2>& squared, const std::array<double, 2>& spread,

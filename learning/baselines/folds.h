@@ -34,7 +34,7 @@ class Folds {
 
   /// Reads the demonstration: `visit` for every step, each fold's in order, on one thread, several
   /// folds at a time, on up to `options.jobs` threads. Throws UsageError where there is nothing to
-  /// learn from: too few frames for two folds, or one command only; TrainingStopped; and whatever
+  /// learn from: too few frames for two folds, or one action only; TrainingStopped; and whatever
   /// the demonstration throws.
   [[nodiscard]] Reading read(const TrainingOptions& options, const Visit& visit) const;
 

@@ -10,6 +10,10 @@
 
 namespace pacer::baselines {
 
+/// A mark that is lower or narrower shows nothing, and is taken for none.
+inline constexpr double kLowest = 12.0;    // pixels
+inline constexpr double kNarrowest = 1.0;  // pixels; trackers refuse less
+
 /// What a reading of a marked demonstration finds out.
 struct MarkedReading {
   std::uint64_t episodes = 0;
@@ -23,7 +27,7 @@ using EpisodeVisit = std::function<void(const MarkedStep& step)>;
 
 /// Reads every episode, each on one thread, up to `options.jobs` at a time: `visit(episode)` is
 /// asked for what takes its steps. Throws UsageError where there is nothing to learn from: no
-/// frame, one command only, or no mark; TrainingStopped; and whatever the demonstration throws.
+/// frame, one action only, or no mark; TrainingStopped; and whatever the demonstration throws.
 [[nodiscard]] MarkedReading read_marked(
     const MarkedDemonstration& demonstration, const TrainingOptions& options,
     std::string_view stage, const std::function<EpisodeVisit(std::size_t episode)>& visit);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -18,8 +19,7 @@ constexpr int kWidths[] = {12, 16, 24, 32};  // pixels; heights follow the frame
 constexpr std::size_t kNeighbours[] = {1, 3, 9, 27, 81, 243};
 constexpr std::size_t kMostNeighbours = 243;
 
-constexpr std::size_t kMostPictures = 20000;  // kept
-constexpr std::size_t kEvery = 5;             // frames held out that one is predicted of
+constexpr std::size_t kEvery = 5;  // frames held out that one is predicted of
 
 /// What is kept of the frames of one fold.
 struct Examples {
@@ -132,19 +132,33 @@ NearestModel read_body(std::string_view bytes) {
   return model;
 }
 
-/// All folds' examples of the chosen width, evenly thinned.
-void keep(const std::vector<Examples>& folds, std::size_t width, std::size_t frames,
-          NearestModel& model) {
-  const std::size_t every = (frames + kMostPictures - 1) / kMostPictures;
-  model.pictures.pixels = folds.front().pictures[width].pixels;
+/// Leaves `most` of the folds' examples, evenly thinned over all of them.
+void thin(std::vector<Examples>& folds, std::size_t frames, std::size_t most) {
+  const std::size_t every = (frames + most - 1) / most;
+  if (every == 1) return;
   std::size_t index = 0;
-  for (const Examples& fold : folds) {
+  for (Examples& fold : folds) {
+    std::size_t left = 0;
     for (std::size_t i = 0; i < fold.commands.size(); ++i) {
       if (index++ % every != 0) continue;
-      const auto picture = fold.pictures[width].picture(i);
-      model.pictures.values.insert(model.pictures.values.end(), picture.begin(), picture.end());
-      model.commands.push_back(fold.commands[i]);
+      for (PictureTable& table : fold.pictures) {
+        std::memmove(table.values.data() + left * table.pixels,
+                     table.values.data() + i * table.pixels, table.pixels);
+      }
+      fold.commands[left++] = fold.commands[i];
     }
+    fold.commands.resize(left);
+    for (PictureTable& table : fold.pictures) table.values.resize(left * table.pixels);
+  }
+}
+
+/// All folds' examples of the chosen width.
+void keep(const std::vector<Examples>& folds, std::size_t width, NearestModel& model) {
+  model.pictures.pixels = folds.front().pictures[width].pixels;
+  for (const Examples& fold : folds) {
+    const std::vector<std::int8_t>& values = fold.pictures[width].values;
+    model.pictures.values.insert(model.pictures.values.end(), values.begin(), values.end());
+    model.commands.insert(model.commands.end(), fold.commands.begin(), fold.commands.end());
   }
 }
 
@@ -174,7 +188,8 @@ std::unique_ptr<Policy> NearestPolicyModel::make(const Random& /*random*/,
 }
 
 NearestModel train_nearest(const Demonstration& demonstration, const TrainingOptions& options,
-                           TrainingReport& report) {
+                           TrainingReport& report, std::size_t most_pictures) {
+  check(most_pictures >= 1, "a nearest neighbour is one of a picture at least");
   const Folds folds(demonstration);
   const ImageSize frame = demonstration.image_size();
   std::vector<ImageSize> sizes;
@@ -207,14 +222,14 @@ NearestModel train_nearest(const Demonstration& demonstration, const TrainingOpt
       });
   report.episodes = reading.episodes;
   report.frames = reading.frames;
+  thin(examples, reading.frames, most_pictures);
 
-  std::vector<Errors> errors(sizes.size() * folds.count());
-  parallel_for(errors.size(), options.jobs, [&](std::size_t i) {
-    errors[i] = errors_on(examples, i % folds.count(), i / folds.count(), options);
-  });
   for (std::size_t s = 0; s < sizes.size(); ++s) {
+    std::vector<Errors> errors(folds.count());
+    parallel_for(errors.size(), options.jobs,
+                 [&](std::size_t f) { errors[f] = errors_on(examples, f, s, options); });
     Errors all;
-    for (std::size_t f = 0; f < folds.count(); ++f) all += errors[s * folds.count() + f];
+    for (const Errors& fold : errors) all += fold;
     std::array<double, 2> spread{};
     for (std::size_t stick = 0; stick < 2; ++stick) {
       spread[stick] = all.square[stick] - all.sum[stick] * all.sum[stick] / all.count;
@@ -225,6 +240,9 @@ NearestModel train_nearest(const Demonstration& demonstration, const TrainingOpt
                                   kNeighbours[k], kNeighbours[k] == 1 ? "" : "s"),
            .error = relative_error(all.squared[k], spread, all.count)});
     }
+    if (options.progress) {
+      options.progress("choosing", static_cast<double>(s + 1) / static_cast<double>(sizes.size()));
+    }
   }
   report.chosen = best_of(report.trials);
   NearestModel model;
@@ -232,7 +250,7 @@ NearestModel train_nearest(const Demonstration& demonstration, const TrainingOpt
   model.origin.mean = reading.mean;
   const std::size_t size = report.chosen / std::size(kNeighbours);
   model.size = sizes[size];
-  keep(examples, size, reading.frames, model);
+  keep(examples, size, model);
   model.neighbours = static_cast<int>(
       std::min(kNeighbours[report.chosen % std::size(kNeighbours)], model.commands.size()));
   report.facts = {{"pictures", static_cast<double>(model.commands.size())}};

@@ -61,9 +61,10 @@ class NearestPolicyModel final : public PolicyModelOf<NearestModel> {
 };
 
 /// Learns one, with the size of the pictures and the number of neighbours that predict held-out
-/// folds best (docs/design/baselines.md). Keeps 20,000 frames at most, evenly thinned. The same
-/// demonstration: the same model. Throws as Folds::read().
+/// folds best (docs/design/baselines.md). Chooses from, and keeps, `most_pictures` frames at most,
+/// evenly thinned. The same demonstration: the same model. Throws as Folds::read().
 [[nodiscard]] NearestModel train_nearest(const Demonstration& demonstration,
-                                         const TrainingOptions& options, TrainingReport& report);
+                                         const TrainingOptions& options, TrainingReport& report,
+                                         std::size_t most_pictures = 20000);
 
 }  // namespace pacer::baselines

@@ -23,20 +23,20 @@ void FeatureChoice::validate(ImageSize from) const {
     require(side > 0 && side <= whole,
             fmt::format("a small picture of {} x {}: the frames have {} x {}", size.width,
                         size.height, from.width, from.height));
-    require(kind == FeatureKind::kGrey || (side % kCell == 0 && side >= kBlock),
+    require(kind == PictureKind::kGrey || (side % kCell == 0 && side >= kBlock),
             fmt::format("histograms of {} x {}: sides must be multiples of {}, and at least {}",
                         size.width, size.height, kCell, kBlock));
   }
 }
 
 std::string FeatureChoice::text() const {
-  return fmt::format("{} {} x {}", kind == FeatureKind::kGrey ? "grey" : "HOG", size.width,
+  return fmt::format("{} {} x {}", kind == PictureKind::kGrey ? "grey" : "HOG", size.width,
                      size.height);
 }
 
 PictureFeatures::PictureFeatures(const FeatureChoice& choice, ImageSize from)
     : picture_((choice.validate(from), from), choice.size) {
-  if (choice.kind == FeatureKind::kHog) {
+  if (choice.kind == PictureKind::kHog) {
     hog_ = std::make_unique<cv::HOGDescriptor>(cv::Size(choice.size.width, choice.size.height),
                                                cv::Size(kBlock, kBlock), cv::Size(kCell, kCell),
                                                cv::Size(kCell, kCell), kOrientations);

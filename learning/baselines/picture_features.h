@@ -17,14 +17,14 @@ struct HOGDescriptor;
 namespace pacer::baselines {
 
 /// What a regression sees of a frame.
-enum class FeatureKind : std::uint8_t {
+enum class PictureKind : std::uint8_t {
   kGrey = 0,  ///< a standardised small grey picture
   kHog = 1,   ///< histograms of oriented gradients (Dalal and Triggs, CVPR 2005) of one, by OpenCV:
               ///< cells of 8 x 8, blocks of 2 x 2 cells, 9 orientations
 };
 
 struct FeatureChoice {
-  FeatureKind kind = FeatureKind::kGrey;
+  PictureKind kind = PictureKind::kGrey;
   ImageSize size;  ///< of the small picture; of histograms, multiples of 8 and at least 16
   friend bool operator==(const FeatureChoice&, const FeatureChoice&) = default;
 

@@ -38,8 +38,8 @@ RidgeModel read_body(std::string_view bytes) {
   RidgeModel model;
   model.origin = Origin::read(in);
   const auto kind = in.value<std::uint8_t>();
-  sane(kind <= static_cast<std::uint8_t>(FeatureKind::kHog), "kind of features");
-  model.features.kind = static_cast<FeatureKind>(kind);
+  sane(kind <= static_cast<std::uint8_t>(PictureKind::kHog), "kind of features");
+  model.features.kind = static_cast<PictureKind>(kind);
   model.features.size.width = in.value<std::int32_t>();
   model.features.size.height = in.value<std::int32_t>();
   constexpr int kMostSide = 512;  // pixels
@@ -62,9 +62,9 @@ RidgeModel read_body(std::string_view bytes) {
   return model;
 }
 
-std::vector<FeatureChoice> choices(FeatureKind kind, ImageSize frame) {
+std::vector<FeatureChoice> choices(PictureKind kind, ImageSize frame) {
   std::vector<FeatureChoice> choices;
-  if (kind == FeatureKind::kHog) {
+  if (kind == PictureKind::kHog) {
     for (const ImageSize& size : kHogSizes) choices.push_back({.kind = kind, .size = size});
   } else {
     for (const int width : kGreyWidths) {
@@ -129,7 +129,7 @@ Command RidgePolicy::act(const Observation& observation, Annotations& /*annotati
 }
 
 std::string_view RidgePolicyModel::method() const {
-  return model()->features.kind == FeatureKind::kHog ? "ridge-hog" : "ridge";
+  return model()->features.kind == PictureKind::kHog ? "ridge-hog" : "ridge";
 }
 
 std::unique_ptr<Policy> RidgePolicyModel::make(const Random& /*random*/,
@@ -137,7 +137,7 @@ std::unique_ptr<Policy> RidgePolicyModel::make(const Random& /*random*/,
   return std::make_unique<RidgePolicy>(model());
 }
 
-RidgeModel train_ridge(const Demonstration& demonstration, FeatureKind kind,
+RidgeModel train_ridge(const Demonstration& demonstration, PictureKind kind,
                        const TrainingOptions& options, TrainingReport& report) {
   const Folds folds(demonstration);
   const std::vector<FeatureChoice> tried = choices(kind, demonstration.image_size());

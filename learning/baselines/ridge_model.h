@@ -56,7 +56,7 @@ class RidgePolicyModel final : public PolicyModelOf<RidgeModel> {
 /// Learns one, with the size of the picture and the ridge that predict held-out folds best
 /// (docs/design/baselines.md). Reads the demonstration once. The same demonstration and kind: the
 /// same model. Throws as Folds::read().
-[[nodiscard]] RidgeModel train_ridge(const Demonstration& demonstration, FeatureKind kind,
+[[nodiscard]] RidgeModel train_ridge(const Demonstration& demonstration, PictureKind kind,
                                      const TrainingOptions& options, TrainingReport& report);
 
 }  // namespace pacer::baselines

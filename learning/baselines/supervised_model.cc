@@ -7,13 +7,14 @@
 #include "core/check.h"
 #include "learning/baselines/detector_training.h"
 #include "learning/baselines/marked_reading.h"
+#include "learning/picture_view.h"
+#include "learning/read_episodes.h"
 
 namespace pacer::baselines {
 namespace {
 
 constexpr std::size_t kMostPictures = 200;  // that the detector learns from
 constexpr std::uint64_t kEvery = 5;         // frames that the map learns from one of
-constexpr double kLowest = 12.0;            // pixels: a lower box shows nothing
 constexpr double kOnTarget = 0.3;           // overlap from which a detection is the target's
 
 std::string body(const SupervisedModel& model) {
@@ -34,18 +35,15 @@ SupervisedModel read_body(std::string_view bytes) {
   return model;
 }
 
-/// Pictures of one episode, evenly spread over it, however long it is: `most` at most.
+/// Pictures of one episode, evenly spread over it, however long it is: `most` at most, two or more.
 class SpreadPictures {
  public:
-  explicit SpreadPictures(std::size_t most) : most_(std::max<std::size_t>(2, most)) {}
+  explicit SpreadPictures(std::size_t most) : most_(most) {}
 
-  void offer(const MarkedStep& step) {
+  void offer(const Frame& frame, const Box& target) {
     if (seen_++ % every_ != 0) return;
-    const Frame& frame = *step.step.frame;
-    const cv::Mat rgb(frame.size.height, frame.size.width, CV_8UC3,
-                      const_cast<std::uint8_t*>(frame.rgb.data()));  // only read from
-    MarkedPicture picture{.grey = {}, .target = step.target};
-    cv::cvtColor(rgb, picture.grey, cv::COLOR_RGB2GRAY);
+    MarkedPicture picture{.grey = {}, .target = target};
+    cv::cvtColor(rgb_view(frame), picture.grey, cv::COLOR_RGB2GRAY);
     pictures_.push_back(std::move(picture));
     if (pictures_.size() <= most_) return;
     for (std::size_t i = 0; 2 * i < pictures_.size(); ++i) {
@@ -93,12 +91,14 @@ std::unique_ptr<Policy> SupervisedPolicyModel::make(
 SupervisedModel train_supervised(const MarkedDemonstration& demonstration,
                                  const LossConfig& when_lost, const Random& random,
                                  const TrainingOptions& options, TrainingReport& report) {
-  const std::size_t episodes = std::max<std::size_t>(1, demonstration.episode_count());
-  std::vector<SpreadPictures> spread(episodes, SpreadPictures(kMostPictures / episodes));
+  const std::size_t episodes = demonstration.episode_count();
+  const PictureShares shares = picture_shares(episodes, kMostPictures);
+  std::vector<SpreadPictures> spread(episodes, SpreadPictures(shares.each));
   const MarkedReading reading =
       read_marked(demonstration, options, "pictures", [&](std::size_t episode) -> EpisodeVisit {
+        if (episode % shares.stride != 0) return [](const MarkedStep&) {};
         return [&pictures = spread[episode]](const MarkedStep& step) {
-          if (step.target && step.target->height >= kLowest) pictures.offer(step);
+          if (step.target) pictures.offer(*step.step.frame, *step.target);
         };
       });
   report.episodes = reading.episodes;
@@ -113,7 +113,9 @@ SupervisedModel train_supervised(const MarkedDemonstration& demonstration,
   SupervisedModel model;
   model.origin = Origin::of(demonstration, options.scenario);
   model.origin.mean = reading.mean;
+  if (options.stop.stop_requested()) throw TrainingStopped();
   model.detector = train_detector(pictures, random.fork("detector"));
+  if (options.stop.stop_requested()) throw TrainingStopped();
 
   // What is detected is what it will drive by. Where a detection is not the target, the person
   // who marked it says so: it is not learnt from, as in 6.1.2.

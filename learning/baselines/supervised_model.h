@@ -24,7 +24,7 @@ struct SupervisedModel {
   WaldBoost detector;
   BoxDriving driving;
 
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
   static constexpr SealedKind kFile{"PACERSUP", kVersion, "a supervised model"};
 };
 
@@ -59,8 +59,9 @@ class SupervisedPolicyModel final : public PolicyModelOf<SupervisedModel> {
 };
 
 /// Learns one (docs/design/baselines.md). Reads the demonstration twice: for the detector, and for
-/// what it detects. The same demonstration and random: the same model. Throws as read_marked() and
-/// train_detector(), and UsageError where the detector finds nothing.
+/// what it detects. The same demonstration and random: the same model. A stop is heeded, but not
+/// while OpenCV trains the detector. Throws as read_marked() and train_detector(), and UsageError
+/// where the detector finds nothing.
 [[nodiscard]] SupervisedModel train_supervised(const MarkedDemonstration& demonstration,
                                                const LossConfig& when_lost, const Random& random,
                                                const TrainingOptions& options,

@@ -14,7 +14,7 @@ Command Tally::mean() const noexcept {
 
 void Tally::require_something() const {
   if (frames_ == 0) throw UsageError("the demonstration holds no frames; record some first");
-  if (!varied_) {
+  if (std::max(most_.steering - least_.steering, most_.throttle - least_.throttle) < kTremor) {
     throw UsageError(
         "the demonstration holds one action only, so there is nothing to tell apart; demonstrate "
         "turns and speeds");

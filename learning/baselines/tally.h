@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <span>
 
 #include "core/command.h"
 
@@ -12,31 +12,32 @@ namespace pacer::baselines {
 class Tally {
  public:
   void add(const Command& command) noexcept {
-    if (frames_ == 0) first_ = command;
-    varied_ = varied_ || command != first_;
     ++frames_;
-    sum_.steering += command.steering;
-    sum_.throttle += command.throttle;
+    for (const auto stick : {&Command::steering, &Command::throttle}) {
+      sum_.*stick += command.*stick;
+      least_.*stick = std::min(least_.*stick, command.*stick);
+      most_.*stick = std::max(most_.*stick, command.*stick);
+    }
   }
   void merge(const Tally& other) noexcept {
-    if (other.frames_ == 0) return;
-    if (frames_ == 0) first_ = other.first_;
-    varied_ = varied_ || other.varied_ || other.first_ != first_;
     frames_ += other.frames_;
-    sum_.steering += other.sum_.steering;
-    sum_.throttle += other.sum_.throttle;
+    for (const auto stick : {&Command::steering, &Command::throttle}) {
+      sum_.*stick += other.sum_.*stick;
+      least_.*stick = std::min(least_.*stick, other.least_.*stick);
+      most_.*stick = std::max(most_.*stick, other.most_.*stick);
+    }
   }
 
   [[nodiscard]] std::uint64_t frames() const noexcept { return frames_; }
   [[nodiscard]] Command mean() const noexcept;
-  /// Throws UsageError where there is no frame, or one command only.
+  /// Throws UsageError where there is no frame, or one action only: no stick moved by kTremor.
   void require_something() const;
 
  private:
   std::uint64_t frames_ = 0;
   Command sum_;
-  Command first_;
-  bool varied_ = false;
+  Command least_{.steering = 1.0, .throttle = 1.0};
+  Command most_{.steering = -1.0, .throttle = -1.0};
 };
 
 }  // namespace pacer::baselines

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/baselines/tracker_model.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <vector>
 
 #include "core/check.h"
 #include "learning/baselines/marked_reading.h"
+#include "learning/picture_view.h"
 
 namespace pacer::baselines {
 namespace {
@@ -16,6 +18,7 @@ constexpr double kOnTarget = 0.3;  // overlap from which a track is the target's
 std::string body(const TrackerModel& model) {
   ByteWriter out;
   model.origin.write(out);
+  out.text(model.tracker);
   model.driving.write(out);
   return out.bytes();
 }
@@ -24,6 +27,9 @@ TrackerModel read_body(std::string_view bytes) {
   ByteReader in(bytes);
   TrackerModel model;
   model.origin = Origin::read(in);
+  model.tracker = in.text();
+  sane(std::ranges::count(tracking::trackers(), model.tracker, &tracking::TrackerKind::name) == 1,
+       "a tracker that this program does not have");
   model.driving = BoxDriving::read(in);
   sane(in.rest().empty(), "something follows the loss");
   return model;
@@ -37,12 +43,14 @@ TrackerModel tracker_from_bytes(std::string_view bytes, std::string_view source)
   return unsealed(TrackerModel::kFile, bytes, source, read_body);
 }
 
-FrameTracker::FrameTracker(const Random& random)
-    : tracker_(tracking::trackers().front().make(random.fork("tracker").next())) {}
+FrameTracker::FrameTracker(std::string_view name, const Random& random) {
+  const auto kind = std::ranges::find(tracking::trackers(), name, &tracking::TrackerKind::name);
+  check(kind != tracking::trackers().end(), "a tracker is one of tracking::trackers()");
+  tracker_ = kind->make(random.fork("tracker").next());
+}
 
 const tracking::Picture& FrameTracker::picture_of(const Frame& frame) {
-  const cv::Mat rgb(frame.size.height, frame.size.width, CV_8UC3,
-                    const_cast<std::uint8_t*>(frame.rgb.data()));  // only read from
+  const cv::Mat rgb = rgb_view(frame);
   cv::cvtColor(rgb, picture_.bgr, cv::COLOR_RGB2BGR);
   cv::cvtColor(rgb, picture_.grey, cv::COLOR_RGB2GRAY);
   return picture_;
@@ -62,7 +70,7 @@ TrackerPolicy::TrackerPolicy(std::shared_ptr<const TrackerModel> model, const Ra
                              std::unique_ptr<TargetPointer> pointer)
     : model_(std::move(model)),
       pointer_(std::move(pointer)),
-      tracker_(random),
+      tracker_(model_->tracker, random),
       response_(model_->driving) {
   check(pointer_ != nullptr, "a tracker is shown its target");
 }
@@ -97,12 +105,14 @@ TrackerModel train_tracker(const MarkedDemonstration& demonstration, const LossC
     std::vector<BoxExample> examples;
     std::uint64_t starts = 0;
   };
-  const std::size_t episodes = demonstration.episode_count();
-  std::vector<Episode> found(episodes);
+  TrackerModel model;
+  model.tracker = tracking::trackers().front().name;
+  std::vector<Episode> found(demonstration.episode_count());
   const MarkedReading reading =
       read_marked(demonstration, options, "tracks", [&](std::size_t e) -> EpisodeVisit {
         // The same wherever the episode is read: its tracker's chances are its own.
-        const auto tracker = std::make_shared<FrameTracker>(random.fork("episode", e));
+        const auto tracker =
+            std::make_shared<FrameTracker>(model.tracker, random.fork("episode", e));
         return [tracker, &episode = found[e], on = false](const MarkedStep& step) mutable {
           const Frame& frame = *step.step.frame;
           if (on) {
@@ -129,7 +139,6 @@ TrackerModel train_tracker(const MarkedDemonstration& demonstration, const LossC
     all.insert(all.end(), episode.examples.begin(), episode.examples.end());
     starts += episode.starts;
   }
-  TrackerModel model;
   model.origin = Origin::of(demonstration, options.scenario);
   model.origin.mean = reading.mean;
   model.driving = {.action = fit_box_action(all), .when_lost = when_lost};

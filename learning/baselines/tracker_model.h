@@ -17,13 +17,14 @@
 
 namespace pacer::baselines {
 
-/// The default tracker of `pacer track`, started on the target in the first frame in which it is
-/// seen, and one linear map from where it says that the target is to the command.
+/// A tracker, started on the target in the first frame in which it is seen, and one linear map from
+/// where it says that the target is to the command.
 struct TrackerModel {
   Origin origin;
+  std::string tracker;  ///< that the map is fitted to, one of tracking::trackers()
   BoxDriving driving;
 
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
   static constexpr SealedKind kFile{"PACERTRK", kVersion, "a tracker model"};
 };
 
@@ -34,7 +35,8 @@ struct TrackerModel {
 /// Follows one target through frames.
 class FrameTracker {
  public:
-  explicit FrameTracker(const Random& random);
+  /// By the tracker of that `name`, one of tracking::trackers().
+  FrameTracker(std::string_view name, const Random& random);
 
   void start(const Frame& frame, const Box& target);
   /// Where the target is; nothing while the tracker says that it is lost.
@@ -77,9 +79,9 @@ class TrackerPolicyModel final : public PolicyModelOf<TrackerModel> {
   [[nodiscard]] GivenBoxes given_boxes() const override { return GivenBoxes::kAtTheStart; }
 };
 
-/// Learns the map (docs/design/baselines.md) from where the tracker says that the target is in the
-/// demonstration; it is started anew where it is wrong. The same demonstration and random: the same
-/// model. Throws as read_marked().
+/// Learns the map (docs/design/baselines.md) from where the default tracker of `pacer track` says
+/// that the target is in the demonstration; it is started anew where it is wrong. The same
+/// demonstration and random: the same model. Throws as read_marked().
 [[nodiscard]] TrackerModel train_tracker(const MarkedDemonstration& demonstration,
                                          const LossConfig& when_lost, const Random& random,
                                          const TrainingOptions& options, TrainingReport& report);

@@ -75,7 +75,7 @@ std::string nearest() {
   return to_bytes(model);
 }
 
-std::string ridge(baselines::FeatureKind kind) {
+std::string ridge(baselines::PictureKind kind) {
   baselines::RidgeModel model;
   model.origin = origin();
   model.features = {.kind = kind, .size = {.width = 32, .height = 24}};
@@ -104,7 +104,9 @@ std::string supervised() {
   return to_bytes(model);
 }
 
-std::string tracker() { return to_bytes(baselines::TrackerModel{origin(), driving()}); }
+std::string tracker() {
+  return to_bytes(baselines::TrackerModel{origin(), "LP-CASCADE", driving()});
+}
 
 /// A way to learn, with a small model learnt so.
 struct Case {
@@ -182,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(
     OfEveryMethod, EveryModel,
     ::testing::Values(Case{"affordance", affordances}, Case{"exemplar", exemplars},
                       Case{"nearest", nearest},
-                      Case{"ridge", [] { return ridge(baselines::FeatureKind::kGrey); }},
-                      Case{"ridge-hog", [] { return ridge(baselines::FeatureKind::kHog); }},
+                      Case{"ridge", [] { return ridge(baselines::PictureKind::kGrey); }},
+                      Case{"ridge-hog", [] { return ridge(baselines::PictureKind::kHog); }},
                       Case{"supervised", supervised}, Case{"tracker", tracker}),
     [](const auto& test) {
       std::string name = test.param.method;
@@ -278,7 +280,7 @@ TEST_P(EveryModel, RefusesFramesOfAnotherSize) {
 TEST(ModelKinds, HaveFirstBytesOfTheirOwn) {
   std::set<std::string_view> magics;
   for (const auto& bytes : {affordances(), exemplars(), nearest(),
-                            ridge(baselines::FeatureKind::kGrey), supervised(), tracker()}) {
+                            ridge(baselines::PictureKind::kGrey), supervised(), tracker()}) {
     EXPECT_TRUE(magics.insert(read_model(bytes, "a").kind->file.magic).second);
   }
 }

@@ -80,6 +80,13 @@ TEST(ModelFile, MoreWitnessesThanRulesAreRefused) {
   }
 }
 
+TEST(ModelFile, WhiteningThatNothingUndoesIsRefused) {
+  Model model = random_model(3);
+  EXPECT_EQ(failure(to_bytes(model)), "");
+  model.actions.whiten.col(1) = 2.0 * model.actions.whiten.col(0);
+  EXPECT_NE(failure(to_bytes(model)).find("action whitening"), std::string::npos);
+}
+
 TEST(ModelFile, EveryTruncationIsRefused) {
   const std::string bytes = to_bytes(random_model(2));
   for (std::size_t size = 0; size < bytes.size(); size += size < 64 ? 1 : 37) {

@@ -197,6 +197,7 @@ TEST(Train, RefusesADemonstrationTooShortForAnyRule) {
 TEST(Train, LearnsFromNoMoreFramesHoweverLongTheRecording) {
   AffordanceConfig config = small_config();
   config.transactions.most_frames = 90;
+  std::vector<double> features;
   for (const int frames : {60, 180}) {
     const auto [model, report] = train(PatchDemonstration(3, frames, 6), config, Random(1), {});
     EXPECT_EQ(report.frames, 3U * static_cast<unsigned>(frames));
@@ -207,8 +208,9 @@ TEST(Train, LearnsFromNoMoreFramesHoweverLongTheRecording) {
     std::uint64_t of_types = 0;
     for (const TrainingReport::Type& type : report.types) of_types += type.frames;
     EXPECT_EQ(of_types, 90U);
-    EXPECT_LT(report.features, 90U * 500U);
+    features.push_back(static_cast<double>(report.features));
   }
+  EXPECT_NEAR(features[1], features[0], 0.2 * features[0]) << "as many pictures, as much in each";
 }
 
 TEST(Train, MinesAsManyRulesAsAreWantedWhateverTheSupport) {
@@ -252,7 +254,7 @@ TEST(Train, LearnsFromFeaturesOfOtherKindsAndMixedOnes) {
 
 /// As many episodes as of the small world, in which the patch is nowhere and the teacher drives as
 /// if it were somewhere. Within a second such a drive is as good as any: what is in view goes by.
-TEST(Train, WhatIsLearntWithoutATargetIsRefusedOrSaidToBeLittle) {
+TEST(Train, WhatIsLearntWithoutATargetIsSaidToBeLittle) {
   std::vector<std::vector<PatchStep>> episodes;
   for (std::uint64_t e = 0; e < 6; ++e) {
     episodes.push_back(pacer::testing::wander(100, Random(5).fork("episode", e)));
@@ -260,12 +262,8 @@ TEST(Train, WhatIsLearntWithoutATargetIsRefusedOrSaidToBeLittle) {
   }
   AffordanceConfig config = small_config();
   config.transactions.stretch = Seconds{2.0};
-  try {
-    const Training training = train(PatchDemonstration(std::move(episodes)), config, Random(1), {});
-    EXPECT_TRUE(training.report.knowledge.little()) << to_text(training.report.knowledge);
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("no rule holds"), std::string::npos) << error.what();
-  }
+  const Training training = train(PatchDemonstration(std::move(episodes)), config, Random(1), {});
+  EXPECT_TRUE(training.report.knowledge.little()) << to_text(training.report.knowledge);
   EXPECT_FALSE(trained().report.knowledge.little()) << to_text(trained().report.knowledge);
 }
 

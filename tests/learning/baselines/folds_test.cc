@@ -59,6 +59,24 @@ TEST(Folds, RefuseWhatNothingCanBeLearntFrom) {
   EXPECT_THROW((void)Folds(same).read({}, nothing), UsageError);
 }
 
+TEST(Folds, TakeAStickThatATremblingHandHoldsForStill) {
+  for (const double moved : {0.015, 0.025}) {
+    std::vector<std::vector<PatchStep>> episodes = {wander(60, Random(1)), wander(60, Random(2))};
+    for (auto& episode : episodes) {
+      for (PatchStep& step : episode) step.command = {.steering = 0.0, .throttle = 0.2};
+    }
+    episodes[1][30].command.throttle += moved;
+    const PatchDemonstration demonstration(episodes);
+    const Folds folds(demonstration);
+    const auto read = [&] { (void)folds.read({}, [](std::size_t, const DemonstratedStep&) {}); };
+    if (moved < kTremor) {
+      EXPECT_THROW(read(), UsageError);
+    } else {
+      EXPECT_NO_THROW(read());
+    }
+  }
+}
+
 TEST(Folds, StopWhenAsked) {
   const PatchDemonstration demonstration(2, 60, 1);
   std::stop_source source;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +67,16 @@ class MarkedPatchDemonstration final : public MarkedDemonstration {
 
   std::vector<std::vector<PatchStep>> episodes_;
   PatchDemonstration plain_;
+};
+
+/// Points at the patch of one step.
+class PatchPointer final : public TargetPointer {
+ public:
+  explicit PatchPointer(const PatchStep& step) : box_(box_of(step)) {}
+  std::optional<Box> point() override { return std::exchange(box_, std::nullopt); }
+
+ private:
+  std::optional<Box> box_;
 };
 
 }  // namespace pacer::testing
