@@ -34,17 +34,13 @@ Command AffordancePolicy::act(const Observation& observation, Annotations& annot
   return action;
 }
 
-/// Near the last target first; where nothing, or too little, matches there, the whole image in the
-/// same frame.
+/// Near the last target first; where nothing matches there, the whole image in the same frame
+/// (6.6.2).
 std::span<const Vote> AffordancePolicy::match() {
   const Poses& poses = perception_.features().poses;
   std::span<const Vote> votes = perception_.match(target_);
+  if (votes.empty() && target_.range >= 0.0F) votes = perception_.match();
   consensus_ = finder_.find(votes, poses.x, poses.y);
-  const bool enough = !votes.empty() && consensus_.witnesses >= evidence_.least();
-  if (!enough && target_.range >= 0.0F) {
-    votes = perception_.match();
-    consensus_ = finder_.find(votes, poses.x, poses.y);
-  }
   return votes;
 }
 
