@@ -54,8 +54,6 @@ struct Baseline {
                        const TrainingOptions& options, baselines::TrainingReport& report);
 };
 
-Random chances_of_training(const Scenario& scenario) { return Random(scenario.seed).fork("train"); }
-
 template <baselines::FeatureKind kKind>
 std::string learn_ridge(const Scenario& /*scenario*/, const std::filesystem::path& folder,
                         const TrainingOptions& options, baselines::TrainingReport& report) {
@@ -112,6 +110,8 @@ exemplar::Model growing(const std::filesystem::path& file, const Demonstration& 
 }
 
 }  // namespace
+
+Random chances_of_training(const Scenario& scenario) { return Random(scenario.seed).fork("train"); }
 
 affordance::TrainingReport train_affordance(const Scenario& scenario,
                                             const std::filesystem::path& folder,
