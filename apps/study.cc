@@ -88,8 +88,9 @@ void add_study(CLI::App& app, const std::stop_token& stop) {
     names += fmt::format("\n  {:<22}{}", study.name, study.about);
   command->add_option("NAME", options->name, "A study, or all")->required();
   command->add_option("--scenario", options->scenario,
-                      "The scenario it is measured on (default: scenarios/balloon.yaml for chapter "
-                      "5's, person.yaml and lane.yaml for tasks, else follow.yaml)");
+                      "The scenario it is measured on; for tasks, the person's (default: "
+                      "scenarios/balloon.yaml for chapter 5's, person.yaml for tasks, whose other "
+                      "is lane.yaml, else follow.yaml)");
   command->add_option("--out", options->out, "Folder for its page");
   command->add_option("--cache", options->cache, "Folder of recordings and models kept for reuse")
       ->capture_default_str();

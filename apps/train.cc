@@ -39,24 +39,25 @@ struct TrainCommand {
       require_as_recorded(scenario, parse_scenario(recorded, source));
       require_demonstrated(scenario);
     }
+    const std::string drive = recorded.empty() ? "SCENARIO" : source;  // what it can be driven in
     RunControl control = common.control(stop);
     TerminalProgress progress;
     control.progress = progress.callback();
     if (method == "exemplar") {
       const auto report = train_exemplar(scenario, dataset, onto, out, control);
       progress.finish();
-      tell(report, "balloon");
+      tell(report, drive);
       return;
     }
     if (!onto.empty()) throw UsageError("--onto: only exemplar models grow");
     if (method == "affordance") {
       const auto report = train_affordance(scenario, dataset, out, control);
       progress.finish();
-      tell(report, scenario.what_for() == Goal::kKeep ? "lane" : "follow");
+      tell(report, drive);
     } else {
       const auto report = train_baseline(scenario, method, dataset, out, control);
       progress.finish();
-      tell(report, scenario.what_for() == Goal::kKeep ? "lane" : "follow");
+      tell(report, drive);
     }
   }
 
@@ -91,12 +92,10 @@ struct TrainCommand {
   }
 
   template <class Report>
-  void tell(const Report& report, const char* scenario) const {
+  void tell(const Report& report, const std::string& scenario) const {
     fmt::print("{}", to_text(report));
-    fmt::print(
-        "{}: written\nnext: pacer evaluate scenarios/{}.yaml --policy {} teacher "
-        "--out out/report.html\n",
-        out.string(), scenario, out.string());
+    fmt::print("{}: written\nnext: pacer evaluate {} --policy {} teacher --out out/report.html\n",
+               out.string(), scenario, out.string());
     common.write_json(to_json(report));
   }
 };

@@ -2,7 +2,6 @@
 #include "runs/evaluation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -39,12 +38,9 @@ Estimate over_episodes(const PolicyEvaluation& policy, const Measure& measure, s
   return report::fraction(static_cast<std::size_t>(count), values.size());
 }
 
-/// The value that a share `rank` of `values` lies below; NaN of none.
-double quantile(std::vector<float> values, double rank) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto at = static_cast<std::ptrdiff_t>(rank * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, values.begin() + at);
-  return static_cast<double>(values[static_cast<std::size_t>(at)]);
+/// The response time that a share `rank` of the responses stayed within.
+double response_ms(const PolicyEvaluation& policy, double rank) {
+  return report::quantile({policy.response_ms.begin(), policy.response_ms.end()}, rank);
 }
 
 nlohmann::ordered_json to_json(const Estimate& estimate) {
@@ -86,8 +82,8 @@ report::Table score_table(const Evaluation& evaluation) {
       if (measures[i].heading == nullptr) continue;
       row.cells.emplace_back(over_episodes(policy, measures[i], i));
     }
-    row.cells.emplace_back(quantile(policy.response_ms, 0.5));
-    row.cells.emplace_back(quantile(policy.response_ms, 0.99));
+    row.cells.emplace_back(response_ms(policy, 0.5));
+    row.cells.emplace_back(response_ms(policy, 0.99));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -105,8 +101,7 @@ nlohmann::ordered_json to_json(const Evaluation& evaluation) {
       if (measures[i].heading == nullptr) continue;
       entry[measures[i].key] = to_json(over_episodes(policy, measures[i], i));
     }
-    entry["response_ms"] = {{"p50", quantile(policy.response_ms, 0.5)},
-                            {"p99", quantile(policy.response_ms, 0.99)}};
+    entry["response_ms"] = {{"p50", response_ms(policy, 0.5)}, {"p99", response_ms(policy, 0.99)}};
     entry["episodes"] = nlohmann::ordered_json::array();
     for (const EpisodeScore& episode : policy.episodes) {
       entry["episodes"].push_back(nlohmann::ordered_json(to_json(episode)));

@@ -15,6 +15,15 @@
 namespace pacer {
 namespace {
 
+template <class Model>
+const std::string& scenario_of(const Model& model) {
+  if constexpr (requires { model.origin; }) {
+    return model.origin.scenario;
+  } else {
+    return model.scenario;
+  }
+}
+
 /// A kind of file that holds a `Model`, which drives as an `Adaptor`.
 template <class Model, class Adaptor, Model (*kRead)(std::string_view, std::string_view)>
 ModelKind kind() {
@@ -27,7 +36,10 @@ ModelKind kind() {
       .describe =
           [](const PolicyModel& model) {
             return describe(*static_cast<const Adaptor&>(model).model());
-          }};
+          },
+      .scenario = [](const PolicyModel& model) -> const std::string& {
+        return scenario_of(*static_cast<const Adaptor&>(model).model());
+      }};
 }
 
 const auto& kinds() {

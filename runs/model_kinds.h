@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/policy_model.h"
 #include "learning/sealed_file.h"
@@ -21,6 +22,8 @@ struct ModelKind {
   std::shared_ptr<const PolicyModel> (*read)(std::string_view bytes, std::string_view source);
   /// Of what read() gave.
   ModelDescription (*describe)(const PolicyModel& model);
+  /// The scenario that it was learnt in, as text. Of what read() gave, and valid while that is.
+  const std::string& (*scenario)(const PolicyModel& model);
 };
 
 /// A model that was read, with the kind of file that it came from.

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "core/check.h"
 #include "core/constant_policy.h"
@@ -15,6 +17,19 @@
 #include "sim/lead_pointer.h"
 
 namespace pacer {
+namespace {
+
+/// The goal of a scenario that a model keeps; empty where it is of a version that cannot be read.
+std::string goal_of(const std::string& scenario) {
+  try {
+    return parse_scenario(scenario, "the model's scenario").goal;
+  } catch (const UsageError&) {
+    return "";
+  }
+}
+
+}  // namespace
+
 std::unique_ptr<Policy> make_teacher(const Scenario& scenario, const sim::SimCar& car,
                                      const Random& random) {
   switch (scenario.what_for()) {
@@ -43,9 +58,10 @@ std::vector<PolicySource> PolicySource::load(const std::vector<std::string>& nam
                          ": neither a model file nor one of teacher, neutral, mean");
       }
       source.name_ = std::filesystem::path(name).stem().string();
-      Learnt model = load_model(name).model;
-      if (!mean) mean = model->mean_command();
-      source.what_ = std::move(model);
+      const LoadedModel loaded = load_model(name);
+      if (!mean) mean = loaded.model->mean_command();
+      source.goal_ = goal_of(loaded.kind->scenario(*loaded.model));
+      source.what_ = loaded.model;
     }
     sources.push_back(std::move(source));
   }
@@ -79,15 +95,7 @@ std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::
   }
   const PolicyModel* const learnt = model();
   if (learnt == nullptr) return std::make_unique<ConstantPolicy>(std::get<Command>(what_));
-  if (learnt->drives_by_impulses() && scenario.what_for() != Goal::kReach) {
-    throw UsageError(fmt::format(
-        "--policy {}: drives by impulses; set goal=reach, as scenarios/balloon.yaml does", name_));
-  }
-  if (!learnt->drives_by_impulses() && scenario.what_for() == Goal::kReach) {
-    throw UsageError(fmt::format(
-        "--policy {}: drives without a stop; set goal=follow, as scenarios/follow.yaml does",
-        name_));
-  }
+  check_goal(scenario);
   std::unique_ptr<TargetPointer> pointer;
   if (learnt->given_boxes() == GivenBoxes::kAtTheStart) {
     if (car == nullptr) {
@@ -99,6 +107,22 @@ std::unique_ptr<Policy> PolicySource::make(const Scenario& scenario, const sim::
     pointer = std::make_unique<sim::LeadPointer>(car->lead_sight());
   }
   return learnt->make(random.fork(learnt->method()), std::move(pointer));
+}
+
+void PolicySource::check_goal(const Scenario& scenario) const {
+  const bool reach = scenario.what_for() == Goal::kReach;
+  if (model()->drives_by_impulses()) {
+    if (reach) return;
+    throw UsageError(fmt::format(
+        "--policy {}: drives by impulses; set goal=reach, as scenarios/balloon.yaml does", name_));
+  }
+  const bool known = !goal_.empty();
+  const auto [goal, file] =
+      goal_ == "keep" ? std::pair("keep", "lane") : std::pair("follow", "follow");
+  if (scenario.goal == goal || (!known && !reach)) return;
+  throw UsageError(fmt::format("--policy {}: {}; set goal={}, as scenarios/{}.yaml does", name_,
+                               known ? "was learnt with goal: " + goal_ : "drives without a stop",
+                               goal, file));
 }
 
 const PolicyModel* PolicySource::model() const noexcept {

@@ -30,7 +30,8 @@ class PolicySource {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
   /// The policy for one episode. `car` is needed by the teacher, and by what is shown its target,
-  /// must then be the simulated one, and must outlive it; those throw UsageError without one.
+  /// must then be the simulated one, and must outlive it; those throw UsageError without one, and
+  /// a model does where it was learnt with another goal than `scenario`'s.
   [[nodiscard]] std::unique_ptr<Policy> make(const Scenario& scenario, const sim::SimCar* car,
                                              const Random& random) const;
 
@@ -53,8 +54,12 @@ class PolicySource {
   /// which is none, gains a number.
   static void number(std::vector<PolicySource>& sources);
 
+  /// Throws UsageError for a scenario that has another goal than what was learnt.
+  void check_goal(const Scenario& scenario) const;
+
   std::string name_;
   std::variant<Command, Teacher, Learnt> what_;  // a command: that one, always
+  std::string goal_;  // of the scenario that a model was learnt in; empty where that is not known
 };
 
 }  // namespace pacer

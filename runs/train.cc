@@ -113,6 +113,8 @@ exemplar::Model growing(const std::filesystem::path& file, const Demonstration& 
 
 }  // namespace
 
+Random chances_of_training(const Scenario& scenario) { return Random(scenario.seed).fork("train"); }
+
 affordance::TrainingReport train_affordance(const Scenario& scenario,
                                             const std::filesystem::path& folder,
                                             const std::filesystem::path& file,

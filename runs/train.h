@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/random.h"
 #include "learning/affordance/train.h"
 #include "learning/baselines/training_report.h"
 #include "learning/exemplar/train.h"
@@ -13,6 +14,9 @@
 #include "scenarios/scenario.h"
 
 namespace pacer {
+
+/// All chance of learning.
+[[nodiscard]] Random chances_of_training(const Scenario& scenario);
 
 /// Learns affordances (chapter 6) from the dataset at `folder` with the scenario's settings and
 /// writes the model to `file`, whole or not at all. Nothing privileged is read.

@@ -65,21 +65,24 @@ nlohmann::ordered_json to_json(const affordance::TrainingReport& report) {
   for (const affordance::TrainingReport::Stage& stage : report.stages) {
     seconds[stage.name] = stage.seconds;
   }
-  return {{"lag_s", report.lag.count()},
-          {"lag_explained", report.found ? report.found->explained : std::vector<double>{}},
-          {"lag_settled", !report.found || report.found->settled},
-          {"episodes", report.episodes},
-          {"frames", report.frames},
-          {"frames_counted", report.frames_counted},
-          {"frames_learnt", report.frames_learnt},
-          {"features", report.features},
-          {"transactions", report.transactions},
-          {"items", report.items},
-          {"matches", report.matches},
-          {"frames_matched", report.frames_matched},
-          {"knows_little", report.knowledge.little()},
-          {"action_types", types},
-          {"seconds", seconds}};
+  nlohmann::ordered_json json = {{"lag_s", report.lag.count()}};
+  if (report.found) {
+    json["lag_explained"] = report.found->explained;
+    json["lag_settled"] = report.found->settled;
+  }
+  json.update({{"episodes", report.episodes},
+               {"frames", report.frames},
+               {"frames_counted", report.frames_counted},
+               {"frames_learnt", report.frames_learnt},
+               {"features", report.features},
+               {"transactions", report.transactions},
+               {"items", report.items},
+               {"matches", report.matches},
+               {"frames_matched", report.frames_matched},
+               {"knows_little", report.knowledge.little()},
+               {"action_types", types},
+               {"seconds", seconds}});
+  return json;
 }
 
 std::string to_text(const ExemplarTraining& training) {

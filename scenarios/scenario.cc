@@ -113,8 +113,8 @@ void Scenario::validate() const {
             "simulated.world.layout: set it to balloons, which are to be reached");
     require(goal != "keep" || layout == "lane",
             "simulated.world.layout: set it to lane, which is to be kept");
-    require(goal != "follow" || layout == "route",
-            "simulated.world.layout: set it to route, or the goal to " +
+    require(goal != "follow" || layout == "route" || layout == "standing",
+            "simulated.world.layout: set it to route or standing, or the goal to " +
                 std::string(layout == "lane" ? "keep" : "reach"));
   }
   require(car == "simulated" || car == "replayed", "car: expected simulated or replayed");

@@ -98,8 +98,6 @@ std::vector<double> taken_along(const Scenario& scenario, const std::vector<Shar
   return shares;
 }
 
-double mean(const std::vector<double>& values) { return report::mean(values).value; }
-
 }  // namespace
 
 /// Rooms without a lead: there is nothing to follow, and the car is to stand.
@@ -147,15 +145,19 @@ StudyResult study_absence(const StudyContext& context, report::Page& page) {
           "of the car's own speed controller. Without caution it acts on anything that matches.")
       .table(table);
 
+  const double drives = report::mean(along).value;
+  const double drives_itself = report::mean(at_the_wheel).value;
   StudyResult result;
-  result.figures = {
-      {"drives_without_lead", mean(along)},           {"worst_episode", std::ranges::max(along)},
-      {"at_the_wheel", mean(at_the_wheel)},           {"without_caution", mean(without_caution)},
-      {"with_caution_same_episodes", mean(first)},    {"episodes", kEpisodes},
-      {"typical_witnesses", learnt.typical_witnesses}};
+  result.figures = {{"drives_without_lead", drives},
+                    {"worst_episode", std::ranges::max(along)},
+                    {"at_the_wheel", drives_itself},
+                    {"without_caution", report::mean(without_caution).value},
+                    {"with_caution_same_episodes", report::mean(first).value},
+                    {"episodes", kEpisodes},
+                    {"typical_witnesses", learnt.typical_witnesses}};
   result.claims = {
-      at_most("drives_without_lead", "does not act on background, taken along", mean(along), 0.01),
-      at_most("at_the_wheel", "stands where there is nothing to follow", mean(at_the_wheel), 0.01)};
+      at_most("drives_without_lead", "does not act on background, taken along", drives, 0.01),
+      at_most("at_the_wheel", "stands where there is nothing to follow", drives_itself, 0.01)};
   return result;
 }
 

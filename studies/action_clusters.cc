@@ -167,12 +167,9 @@ StudyResult study_action_clusters(const StudyContext& context, report::Page& pag
                     {"types_of_table_6_1", named},
                     {"whitening_error", clustered.whitening_error()},
                     {"frames", clustered.frames}};
-  result.claims = {
-      at_least("types_of_table_6_1",
-               "Table 6.1: slow and fast, to the left, straight and to the right",
-               static_cast<double>(named), static_cast<double>(kThesis.size())),
-      at_most("whitening_error", "6.3: whitened, the actions' covariance is the identity",
-              clustered.whitening_error(), 0.01)};
+  result.claims = {at_least("types_of_table_6_1",
+                            "Table 6.1: slow and fast, to the left, straight and to the right",
+                            static_cast<double>(named), static_cast<double>(kThesis.size()))};
   add_page(clustered, actions, page);
   return result;
 }

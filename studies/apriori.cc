@@ -15,6 +15,7 @@
 #include "learning/affordance/generated_transactions.h"
 #include "learning/affordance/rules_file.h"
 #include "learning/affordance/train.h"
+#include "runs/train.h"
 #include "runs/worker_pool.h"
 #include "studies/materials.h"
 #include "studies/reference_apriori.h"
@@ -54,7 +55,8 @@ int differences_from_brute_force(int databases, Random random) {
   for (int i = 0; i < databases; ++i) {
     const TransactionDatabase database = small_database(random);
     const AprioriConfig config{.support_percent = random.uniform(0.5, 8.0),
-                               .confidence_percent = random.uniform(35.0, 100.0)};
+                               .confidence_percent = random.uniform(35.0, 100.0),
+                               .grow_confident = random.chance(0.5)};
     for (ActionType type = 0; type < database.type_count; ++type) {
       if (affordance::mine_rules(database, type, config) !=
           affordance::reference::brute_force(database, type, config)) {
@@ -179,7 +181,7 @@ StudyResult study_apriori(const StudyContext& context, report::Page& page) {
       [&] {
         const dataset::RecordedDemonstration demonstration(drives);
         return affordance::transactions_of(demonstration, context.scenario.affordance,
-                                           Random(context.scenario.seed).fork("train"));
+                                           chances_of_training(context.scenario));
       },
       least, context);
   context.control.progress(4, kSteps, "comparisons");

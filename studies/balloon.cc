@@ -8,6 +8,7 @@
 #include "runs/evaluation_report.h"
 #include "runs/policy_source.h"
 #include "studies/chapter5.h"
+#include "studies/closed_loop.h"
 #include "studies/materials.h"
 #include "studies/studies.h"
 
@@ -47,10 +48,7 @@ StudyResult study_balloon(const StudyContext& context, report::Page& page) {
     return materials.exemplar_model(config, chapter5::kDemonstrations, name).string();
   };
   const auto drive = [&](const std::vector<PolicySource>& policies, std::uint32_t placements) {
-    EvaluationRun run =
-        evaluate(context.scenario, policies, {.episodes = placements}, context.control);
-    if (!run.whole) throw StudyStopped();
-    return run;
+    return drive_whole(context.scenario, policies, {.episodes = placements}, context.control);
   };
   const std::vector<PolicySource> policies =
       PolicySource::load({learned("learned", "consistent", "table"),

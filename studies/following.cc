@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/check.h"
+#include "learning/affordance/train.h"
 #include "runs/evaluation_report.h"
 #include "runs/model_description.h"
 #include "runs/train.h"
+#include "studies/closed_loop.h"
 #include "studies/materials.h"
 #include "studies/studies.h"
 
@@ -18,25 +20,23 @@ namespace {
 constexpr std::uint32_t kEpisodes = 50;
 constexpr std::uint32_t kFewer = 20;  // the first of the same, for what is compared with
 
-/// 1 for each episode that was followed, else 0; of the first `count`.
-std::vector<double> followed(const PolicyEvaluation& policy, std::size_t count) {
-  std::vector<double> flags;
-  for (std::size_t i = 0; i < std::min(count, policy.episodes.size()); ++i) {
-    flags.push_back(succeeded(policy.episodes[i]) ? 1.0 : 0.0);
+double share(const std::vector<double>& flags) { return report::mean(flags).value; }
+
+/// The model of one minute; none where that is too little to learn from.
+std::optional<std::string> learnt_in_a_minute(const Materials& materials) {
+  try {
+    return materials.model(materials.minutes(1.0), "learned-one-minute").string();
+  } catch (const affordance::NothingLearnt&) {
+    return std::nullopt;
   }
-  return flags;
 }
 
-double share(const std::vector<double>& flags) {
-  return std::reduce(flags.begin(), flags.end()) / static_cast<double>(flags.size());
-}
-
-EvaluationRun drive(const StudyContext& context, const std::vector<PolicySource>& policies,
-                    const EvaluateOptions& options) {
-  EvaluationRun run = evaluate(context.scenario, policies, options, context.control);
-  if (!run.whole) throw StudyStopped();
-  return run;
-}
+/// Who is compared with: a baseline of each method in their order, then these.
+struct Compared {
+  std::size_t neutral = baseline_methods().size();
+  std::size_t mean = neutral + 1;
+  std::size_t one_minute = mean + 1;  // the last, where it learnt anything
+};
 
 /// What follows from the first kFewer episodes, which everybody drove.
 void compare(const std::vector<double>& learned, const Evaluation& others, StudyResult& result,
@@ -47,13 +47,15 @@ void compare(const std::vector<double>& learned, const Evaluation& others, Study
       {.heading = "given boxes"},
       {.heading = "followed", .unit = "%", .decimals = 0, .scale = 100.0},
       {.heading = "the method is ahead by", .unit = "%", .decimals = 0, .scale = 100.0}};
-  for (const PolicyEvaluation& other : others.policies) {
+  const std::vector<std::string>& methods = baseline_methods();
+  for (std::size_t i = 0; i < others.policies.size(); ++i) {
+    const PolicyEvaluation& other = others.policies[i];
     const std::vector<double> theirs = followed(other, kFewer);
     const report::Estimate ahead = report::paired_difference(learned, theirs);
     table.rows.push_back(
         {.cells = {other.name, to_text(other.given_boxes), other.succeeded(), ahead}});
-    const bool is_baseline = std::ranges::count(baseline_methods(), other.name) > 0;
-    if (!is_baseline) continue;
+    if (i >= methods.size()) continue;
+    check(other.name == methods[i], "a baseline's name is its method's");
     result.figures["baselines"][other.name] = share(theirs);
     result.figures["ahead"][other.name] = {
         {"value", ahead.value}, {"low", ahead.low}, {"high", ahead.high}};
@@ -72,6 +74,10 @@ void compare(const std::vector<double>& learned, const Evaluation& others, Study
           "settings by cross-validation over its episodes (docs/design/baselines.md). Those that "
           "are given boxes were told, by the simulation, where the lead is.",
           kFewer));
+  if (others.policies.size() > Compared().one_minute) return;
+  page.section("One minute of demonstration")
+      .paragraph(
+          "Nothing was learnt of it: no rule holds. So nothing is followed, and the share is 0.");
 }
 
 }  // namespace
@@ -88,19 +94,23 @@ StudyResult study_following(const StudyContext& context, report::Page& page) {
   for (const std::string& method : baseline_methods()) {
     compared.push_back(materials.baseline(method, demonstrated).string());
   }
-  compared.push_back(materials.model(materials.minutes(1.0), "learned-one-minute").string());
   compared.insert(compared.end(), {"neutral", "mean"});  // the mean of five minutes
+  const std::optional<std::string> minute = learnt_in_a_minute(materials);
+  if (minute) compared.push_back(*minute);
   const std::vector<PolicySource> others = PolicySource::load(compared);
 
-  const EvaluationRun run = drive(context, policies, {.episodes = kEpisodes});
-  const EvaluationRun fewer = drive(context, others, {.episodes = kFewer, .clips = 0, .traces = 0});
+  const EvaluationRun run =
+      drive_whole(context.scenario, policies, {.episodes = kEpisodes}, context.control);
+  const EvaluationRun fewer = drive_whole(
+      context.scenario, others, {.episodes = kFewer, .clips = 0, .traces = 0}, context.control);
 
   const PolicyEvaluation& learned = run.evaluation.policies[0];
   const PolicyEvaluation& teacher = run.evaluation.policies[1];
   const std::vector<PolicyEvaluation>& rest = fewer.evaluation.policies;
-  const double one_minute = rest[rest.size() - 3].succeeded().value;
-  const double neutral = rest[rest.size() - 2].succeeded().value;
-  const double mean = rest.back().succeeded().value;
+  const Compared at;
+  const double one_minute = minute ? rest[at.one_minute].succeeded().value : 0.0;
+  const double neutral = rest[at.neutral].succeeded().value;
+  const double mean = rest[at.mean].succeeded().value;
   const double teacher_same = share(followed(teacher, kFewer));
   const double learned_followed = learned.succeeded().value;
   const double teacher_followed = teacher.succeeded().value;

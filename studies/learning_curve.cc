@@ -8,6 +8,7 @@
 
 #include "learning/affordance/train.h"
 #include "runs/report/charts.h"
+#include "studies/closed_loop.h"
 #include "studies/materials.h"
 #include "studies/studies.h"
 
@@ -56,8 +57,7 @@ Learnt learnt_from(const Demonstration& demonstration, const StudyContext& conte
   }
   const std::vector<PolicySource> policies = PolicySource::load({model});
   const EvaluationRun run =
-      evaluate(context.scenario, policies, {.episodes = episodes, .clips = 0}, context.control);
-  if (!run.whole) throw StudyStopped();
+      drive_whole(context.scenario, policies, {.episodes = episodes, .clips = 0}, context.control);
   learnt.rules = policies.front().affordances()->rules.size();
   learnt.followed = run.evaluation.policies.front().succeeded();
   return learnt;

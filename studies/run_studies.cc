@@ -40,19 +40,27 @@ const char* goal_of(const std::string& shipped) {
   return shipped == "lane" ? "keep" : "follow";
 }
 
-/// A study drives as its own scenario does; with another goal it would measure nothing.
-void require_goal(const Study& study, const std::string& shipped, const Scenario& scenario) {
+/// A study drives as its own scenario does; with another goal it would measure nothing, and with
+/// another lead something else than it says.
+void require_like(const Study& study, const std::string& shipped, const Scenario& scenario) {
   const char* const goal = goal_of(shipped);
-  if (scenario.goal == goal) return;
+  if (scenario.goal != goal) {
+    throw UsageError(
+        fmt::format("study {}: is measured with goal: {}, and scenario {} has goal: {}; name one "
+                    "such as scenarios/{}.yaml",
+                    study.name, goal, scenario.name, scenario.goal, shipped));
+  }
+  const std::string& lead = scenario.simulated.world.lead_body;
+  if (shipped != "person" || lead == "person") return;
   throw UsageError(
-      fmt::format("study {}: is measured with goal: {}, and scenario {} has goal: {}; name one "
-                  "such as scenarios/{}.yaml",
-                  study.name, goal, scenario.name, scenario.goal, shipped));
+      fmt::format("study {}: is measured behind a person, and scenario {} has "
+                  "simulated.world.lead_body: {}; name one such as scenarios/person.yaml",
+                  study.name, scenario.name, lead));
 }
 
-void require_goals(const Study& study, const StudyContext& context) {
-  require_goal(study, study.scenario, context.scenario);
-  if (context.also) require_goal(study, study.also, *context.also);
+void require_scenes(const Study& study, const StudyContext& context) {
+  require_like(study, study.scenario, context.scenario);
+  if (context.also) require_like(study, study.also, *context.also);
 }
 
 /// The result of an earlier run of the same program and scenario; null when there is none.
@@ -160,7 +168,7 @@ const Study& find_study(const std::string& name) {
 }
 
 ordered_json run_study(const Study& study, const StudyContext& context) {
-  require_goals(study, context);
+  require_scenes(study, context);
   const auto start = std::chrono::steady_clock::now();
   report::Page page(study.name, study.about);
   const StudyResult result = study.run(context, page);
@@ -181,14 +189,14 @@ ordered_json run_all_studies(StudyContext context,
   if (context.out.empty()) throw UsageError("study all: --out names the folder of its page");
   for (const Study& study : studies()) {  // before the first of them has taken an hour
     set_scenes(study, context);
-    require_goals(study, context);
+    require_scenes(study, context);
   }
   ordered_json results = ordered_json::object();
   for (const Study& study : studies()) {
     set_scenes(study, context);
     std::string made_of = Materials(context).fingerprint();
     if (context.also) made_of += to_yaml(*context.also);
-    for (const auto& given : {context.images, context.sequences}) {
+    for (const auto& given : {context.transactions, context.images, context.sequences}) {
       made_of += " " + (given ? given->string() : "");
     }
     const std::filesystem::path kept = context.out / ("." + study.name + ".done.json");

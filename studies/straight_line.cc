@@ -7,6 +7,17 @@
 #include "core/check.h"
 
 namespace pacer {
+namespace {
+
+/// Whether values of this mean, with these squared distances from it in all, differ by more than
+/// the rounding of that mean.
+bool varies(double squares, double mean, double count) {
+  constexpr double kRounding = 1e-10;  // of the mean; of 100,000 values it is less
+  const double rounding = kRounding * mean;
+  return squares > count * rounding * rounding;
+}
+
+}  // namespace
 
 StraightLine fit_straight_line(std::span<const double> x, std::span<const double> y) {
   check(x.size() == y.size(), "a line is fitted to as many x as y");
@@ -23,8 +34,9 @@ StraightLine fit_straight_line(std::span<const double> x, std::span<const double
     xy += (x[i] - mean_x) * (y[i] - mean_y);
     yy += (y[i] - mean_y) * (y[i] - mean_y);
   }
-  if (xx > 0.0) line.slope = xy / xx;
-  if (xx > 0.0 && yy > 0.0) line.correlation = xy / std::sqrt(xx * yy);
+  const bool x_varies = varies(xx, mean_x, count);
+  if (x_varies) line.slope = xy / xx;
+  if (x_varies && varies(yy, mean_y, count)) line.correlation = xy / std::sqrt(xx * yy);
   line.offset = mean_y - line.slope * mean_x;
   return line;
 }

@@ -9,7 +9,7 @@ namespace pacer {
 struct StraightLine {
   double slope = 0.0;
   double offset = 0.0;
-  double correlation = 0.0;  ///< Pearson's, of x and y; 0 where either does not vary
+  double correlation = 0.0;  ///< Pearson's, of x and y; 0 where either varies by rounding only
 };
 
 /// `x` and `y` are as long; without values all is 0.

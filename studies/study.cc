@@ -53,6 +53,14 @@ Claim at_most(std::string name, std::string thesis, double measured, double boun
           .holds = measured <= bound};
 }
 
+Claim below(std::string name, std::string thesis, double measured, double bound) {
+  return {.name = std::move(name),
+          .thesis = std::move(thesis),
+          .bound = fmt::format("< {}", bound),
+          .measured = measured,
+          .holds = measured < bound};
+}
+
 Claim between(std::string name, std::string thesis, double measured, double low, double high) {
   return {.name = std::move(name),
           .thesis = std::move(thesis),

@@ -25,6 +25,7 @@ struct Claim {
 [[nodiscard]] Claim at_least(std::string name, std::string thesis, double measured, double bound);
 [[nodiscard]] Claim above(std::string name, std::string thesis, double measured, double bound);
 [[nodiscard]] Claim at_most(std::string name, std::string thesis, double measured, double bound);
+[[nodiscard]] Claim below(std::string name, std::string thesis, double measured, double bound);
 [[nodiscard]] Claim between(std::string name, std::string thesis, double measured, double low,
                             double high);
 

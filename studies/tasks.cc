@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "runs/evaluation_report.h"
+#include "studies/closed_loop.h"
 #include "studies/materials.h"
 #include "studies/studies.h"
 
@@ -23,8 +24,8 @@ void measure(const StudyContext& context, const std::string& task, StudyResult& 
   const std::string model = materials.model(demonstrated).string();
   const std::vector<PolicySource> policies =
       PolicySource::load({model, "teacher", "neutral", "mean"});
-  const EvaluationRun run = evaluate(scenario, policies, {.episodes = kEpisodes}, context.control);
-  if (!run.whole) throw StudyStopped();
+  const EvaluationRun run =
+      drive_whole(scenario, policies, {.episodes = kEpisodes}, context.control);
 
   const auto share = [&](std::size_t policy) {
     return run.evaluation.policies[policy].succeeded().value;

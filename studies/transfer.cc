@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runs/evaluation_report.h"
+#include "studies/closed_loop.h"
 #include "studies/materials.h"
 #include "studies/studies.h"
 
@@ -21,21 +22,6 @@ Scenario made_harder(Scenario scenario) {
 }
 
 constexpr std::uint32_t kEpisodes = 20;  // twice over, what 15 minutes on two cores hold
-
-/// The first unseen episodes, the first `clips` of them filmed.
-EvaluationRun drive(const Scenario& scenario, const std::vector<PolicySource>& policies,
-                    std::uint32_t clips, const RunControl& control) {
-  EvaluationRun run =
-      evaluate(scenario, policies, {.episodes = kEpisodes, .clips = clips}, control);
-  if (!run.whole) throw StudyStopped();
-  return run;
-}
-
-std::vector<double> followed(const PolicyEvaluation& policy) {
-  std::vector<double> flags;
-  for (const EpisodeScore& episode : policy.episodes) flags.push_back(succeeded(episode) ? 1 : 0);
-  return flags;
-}
 
 report::Table side_by_side(const PolicyEvaluation& as_is, const PolicyEvaluation& harder) {
   report::Table table;
@@ -55,8 +41,10 @@ StudyResult study_transfer(const StudyContext& context, report::Page& page) {
   const Scenario harder = made_harder(context.scenario);
   const std::vector<PolicySource> policies =
       PolicySource::load({materials.model(materials.five_minutes()).string()});
-  const EvaluationRun as_is = drive(context.scenario, policies, 0, context.control);
-  const EvaluationRun transferred = drive(harder, policies, 2, context.control);
+  const EvaluationRun as_is =
+      drive_whole(context.scenario, policies, {.episodes = kEpisodes, .clips = 0}, context.control);
+  const EvaluationRun transferred =
+      drive_whole(harder, policies, {.episodes = kEpisodes, .clips = 2}, context.control);
 
   const PolicyEvaluation& before = as_is.evaluation.policies.front();
   const PolicyEvaluation& after = transferred.evaluation.policies.front();

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/check.h"
+#include "studies/straight_line.h"
 
 namespace pacer {
 
@@ -38,24 +39,11 @@ SignalMeasures SignalComparison::measures() const {
   SignalMeasures result;
   const auto count = static_cast<double>(signal_.size());
   if (signal_.empty()) return result;
-  double x = 0.0;
-  double y = 0.0;
-  for (std::size_t i = 0; i < signal_.size(); ++i) {
-    x += signal_[i] / count;
-    y += teacher_[i] / count;
-  }
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
+  result.correlation = fit_straight_line(signal_, teacher_).correlation;
   double squared = 0.0;
   for (std::size_t i = 0; i < signal_.size(); ++i) {
-    xx += (signal_[i] - x) * (signal_[i] - x);
-    yy += (teacher_[i] - y) * (teacher_[i] - y);
-    xy += (signal_[i] - x) * (teacher_[i] - y);
     squared += (signal_[i] - teacher_[i]) * (signal_[i] - teacher_[i]);
   }
-  constexpr double kStill = 1e-12;  // squared stick: rounding
-  if (xx > kStill * count && yy > kStill * count) result.correlation = xy / std::sqrt(xx * yy);
   result.rms_error = std::sqrt(squared / count);
   result.worst_spike = *std::ranges::max_element(spikes_);
   result.spike_share = static_cast<double>(std::ranges::count_if(

@@ -35,7 +35,7 @@ Range range_of(std::span<const Sample> samples, const Axis& x) {
 }
 
 /// Quantile by linear interpolation between the order statistics of `sorted`, not empty.
-double quantile(const std::vector<double>& sorted, double share) {
+double interpolated_quantile(const std::vector<double>& sorted, double share) {
   const double at = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
@@ -106,9 +106,9 @@ json distribution_chart(std::span<const Sample> samples, const Axis& x, const Pa
     std::sort(sorted.begin(), sorted.end());
     boxes.push_back({{"series", sample.name},
                      {"low", sorted.front()},
-                     {"first", quantile(sorted, 0.25)},
-                     {"median", quantile(sorted, 0.5)},
-                     {"third", quantile(sorted, 0.75)},
+                     {"first", interpolated_quantile(sorted, 0.25)},
+                     {"median", interpolated_quantile(sorted, 0.5)},
+                     {"third", interpolated_quantile(sorted, 0.75)},
                      {"high", sorted.back()},
                      {"count", sorted.size()}});
   }

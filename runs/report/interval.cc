@@ -97,4 +97,11 @@ Estimate paired_difference(std::span<const double> ours, std::span<const double>
   return mean(differences);
 }
 
+double quantile(std::vector<double> values, double rank) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto at = static_cast<std::ptrdiff_t>(rank * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, values.begin() + at);
+  return values[static_cast<std::size_t>(at)];
+}
+
 }  // namespace pacer::report

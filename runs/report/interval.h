@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace pacer::report {
 
@@ -29,6 +30,9 @@ struct Estimate {
 /// interval has no zero. Throws std::invalid_argument when the lengths differ.
 [[nodiscard]] Estimate paired_difference(std::span<const double> ours,
                                          std::span<const double> theirs);
+
+/// The value at `rank`, in [0, 1], of `values` in order: one of them; NaN of none.
+[[nodiscard]] double quantile(std::vector<double> values, double rank);
 
 /// The 97.5 % quantile of Student's t with `degrees` > 0 degrees of freedom.
 [[nodiscard]] double student_t(std::size_t degrees);

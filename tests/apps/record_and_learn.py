@@ -15,7 +15,9 @@ class RecordAndLearn(CommandTest):
         self.assertIn("3 episodes (3 new), 450 frames", said)
         self.assertIn("next: pacer train", said)
         said = self.pacer(*train(MODEL)).stdout
-        self.assertIn("next: pacer evaluate", said)
+        recorded = DRIVES / "meta" / "scenario.yaml"
+        self.assertIn(f"next: pacer evaluate {recorded} --policy {MODEL} teacher", said)
+        self.pacer("evaluate", recorded, "--policy", MODEL, "--episodes", 1, "--clips", 0)
         self.assertTrue(MODEL.is_file())
 
 

@@ -30,6 +30,12 @@ class Tasks(CommandTest):
             del policy["response_ms"]
         return found
 
+    def assert_refused(self, model, scenario, way_out):
+        """A model drives for the goal that it was learnt with."""
+        for command in [["drive", scenario], ["evaluate", scenario, "--episodes", 1]]:
+            self.assertIn(way_out, self.refusal(*command, *SMALL, "--policy", model,
+                                                status=BAD_USAGE))
+
     def test_a_person_is_followed_as_the_vehicle_is(self):
         _, model = self.learn(PERSON)
         found = self.scores(PERSON, model, jobs=2)
@@ -38,6 +44,8 @@ class Tasks(CommandTest):
         self.assertGreater(found["teacher"]["in_view"]["value"], 0.8)
         self.assertEqual(found["teacher"]["collided"]["value"], 0.0)
         self.assertIn("Follow the walking person.", (self.scratch / "report.html").read_text())
+        self.assert_refused(model, LANE, "learnt with goal: follow; set goal=follow, as "
+                            "scenarios/follow.yaml does")
 
     def test_a_lane_is_taught_learnt_driven_and_scored(self):
         drives, model = self.learn(LANE)
@@ -54,6 +62,8 @@ class Tasks(CommandTest):
         self.assertIn("not kept, stuck", page)
         self.assertIn("Action signals", page)
         self.assertNotIn("ollowed", page.split("<pre")[0])
+        self.assert_refused(model, SCENARIO, "learnt with goal: keep; set goal=keep, as "
+                            "scenarios/lane.yaml does")
 
     def test_an_episode_in_a_lane_is_filmed(self):
         film = self.scratch / "lane.mp4"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is asked wrongly is answered by one line that helps, and status 2."""
 
+import pathlib
 import subprocess
 
 from pacer_command import BAD_USAGE, COMMAND, SCENARIO, CommandTest, main, run
@@ -92,6 +93,11 @@ class Usage(CommandTest):
     def test_a_study_of_the_other_goal_is_refused(self):
         self.assertIn("goal: reach", self.refusal("study", "generalisation", "--scenario",
                                                   SCENARIO, status=BAD_USAGE))
+
+    def test_tasks_are_not_measured_behind_another_lead_than_a_person(self):
+        self.assertIn("simulated.world.lead_body: vehicle", self.refusal(
+            "study", "tasks", "--scenario", SCENARIO, cwd=pathlib.Path(SCENARIO).parents[1],
+            status=BAD_USAGE))
 
     def test_an_unknown_study_is_named_with_those_there_are(self):
         line = self.refusal("study", "nothing", "--scenario", SCENARIO, status=BAD_USAGE)

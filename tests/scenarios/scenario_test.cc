@@ -105,11 +105,12 @@ TEST(Scenario, TheGoalIsOneThatTheWorldServes) {
   EXPECT_EQ(parse("").what_for(), Goal::kFollow);
   EXPECT_EQ(parse("goal: reach\n" + balloons).what_for(), Goal::kReach);
   EXPECT_EQ(parse("goal: keep\n" + lane).what_for(), Goal::kKeep);
+  EXPECT_EQ(parse("", {"simulated.world.layout=standing"}).what_for(), Goal::kFollow);
   EXPECT_THAT(complaint([] { parse("goal: keep\n"); }),
               HasSubstr("simulated.world.layout: set it to lane"));
   EXPECT_THAT(complaint([&] { parse(lane); }),
-              HasSubstr("test.yaml:1: simulated.world.layout: set it to route, or the goal to "
-                        "keep"));
+              HasSubstr("test.yaml:1: simulated.world.layout: set it to route or standing, or the "
+                        "goal to keep"));
   EXPECT_THAT(complaint([] { parse("goal: reach\n"); }),
               HasSubstr("simulated.world.layout: set it to balloons"));
   EXPECT_THAT(complaint([&] { parse(balloons); }),

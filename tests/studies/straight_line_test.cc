@@ -52,6 +52,12 @@ TEST(StraightLine, IsFlatWhereNothingVaries) {
   EXPECT_EQ(fit_straight_line(other, same).correlation, 0.0);
   EXPECT_EQ(fit_straight_line(other, same).offset, 2.0);
   EXPECT_EQ(fit_straight_line({}, {}).offset, 0.0);
+  const std::vector<double> still(1000, 0.1);  // whose mean is rounded
+  std::vector<double> rising(1000);
+  for (std::size_t i = 0; i < rising.size(); ++i) rising[i] = static_cast<double>(i);
+  EXPECT_EQ(fit_straight_line(still, rising).slope, 0.0);
+  EXPECT_EQ(fit_straight_line(still, rising).correlation, 0.0);
+  EXPECT_EQ(fit_straight_line(rising, still).correlation, 0.0);
 }
 
 }  // namespace

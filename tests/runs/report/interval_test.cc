@@ -114,6 +114,16 @@ TEST(PairedDifference, CancelsWhatTheEpisodesShare) {
   EXPECT_LT(difference.high, 1.1);
 }
 
+TEST(Quantile, IsOneOfTheValuesWhateverTheirOrder) {
+  const std::vector<double> values = {3.0, 1.0, 2.0, 5.0, 4.0};
+  EXPECT_EQ(quantile(values, 0.0), 1.0);
+  EXPECT_EQ(quantile(values, 0.5), 3.0);
+  EXPECT_EQ(quantile(values, 0.74), 3.0);
+  EXPECT_EQ(quantile(values, 0.75), 4.0);
+  EXPECT_EQ(quantile(values, 1.0), 5.0);
+  EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
+}
+
 TEST(PairedDifference, NeedsPairs) {
   const std::array one = {1.0};
   EXPECT_THROW((void)paired_difference(one, {}), std::invalid_argument);
