@@ -11,7 +11,6 @@ void EvidenceConfig::validate() const {
   require(caution >= 0.0 && caution <= 10.0, "caution: must lie in [0, 10]");
   require(keep > 0.0 && keep <= 1.0, "keep: must lie in (0, 1]");
   require(memory.count() > 0.0 && memory.count() <= 60.0, "memory_s: must lie in (0, 60]");
-  require(patience.count() >= 0.0 && patience.count() <= 60.0, "patience_s: must lie in [0, 60]");
 }
 
 void ResponseConfig::validate() const {

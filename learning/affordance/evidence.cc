@@ -38,12 +38,7 @@ bool Evidence::add(Seconds time, int witnesses) noexcept {
   first_ = false;
   before_ = time;
   value_ += (1.0 - std::exp(-past)) * (witnesses - value_);
-  if (value_ >= least()) {
-    enough_ = true;
-    enough_at_ = time;
-  } else if (enough_ && time - enough_at_ > config_.patience) {
-    enough_ = false;
-  }
+  enough_ = value_ >= least();
   return enough_;
 }
 

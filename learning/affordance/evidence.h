@@ -38,8 +38,7 @@ class ConsensusFinder {
 /// matches many different ones at one place, in frame after frame. So the evidence is the number
 /// of witnesses, averaged over time; enough is a share of what is typical of the demonstration, but
 /// never less than two that agree.
-/// Who acts needs less of it to go on, and for some time none but a match. No frame without a
-/// target is needed to learn it from.
+/// Who acts needs less of it to go on. No frame without a target is needed to learn it from.
 class Evidence {
  public:
   /// `typical` is the demonstration's; see typical_witnesses().
@@ -61,8 +60,7 @@ class Evidence {
   EvidenceConfig config_;
   double typical_;
   double value_ = 0.0;
-  Seconds before_{};     // time of the frame before
-  Seconds enough_at_{};  // time of the last frame with enough
+  Seconds before_{};  // time of the frame before
   bool first_ = true;
   bool enough_ = false;
 };

@@ -10,12 +10,10 @@ namespace pacer::affordance {
 
 /// When matches are taken for the target and not for a patch of background; see Evidence.
 struct EvidenceConfig {
-  double caution = 0.1;   ///< share of the demonstration's typical evidence, from which on the car
-                          ///< acts; 0: on any match
-  double keep = 0.4;      ///< (0, 1]; of that, down to which it goes on acting
-  Seconds memory{0.3};    ///< that evidence is averaged over
-  Seconds patience{2.0};  ///< for so long after the last that was enough, it acts on any match:
-                          ///< what was there a moment ago is likelier than what never was
+  double caution = 0.1;  ///< share of the demonstration's typical evidence, from which on the car
+                         ///< acts; 0: on any match
+  double keep = 0.4;     ///< (0, 1]; of that, down to which it goes on acting
+  Seconds memory{0.3};   ///< that evidence is averaged over
 
   /// Throws std::invalid_argument, naming the field.
   void validate() const;
@@ -25,7 +23,6 @@ struct EvidenceConfig {
     visit("caution", caution);
     visit("keep", keep);
     visit("memory_s", memory);
-    visit("patience_s", patience);
   }
 };
 

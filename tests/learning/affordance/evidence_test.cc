@@ -80,8 +80,7 @@ TEST(Consensus, NothingMatchedIsNoConsensus) {
 }
 
 // So that 6 are enough to begin, and 3 to go on.
-constexpr EvidenceConfig kHalfAsMany{
-    .caution = 0.2, .keep = 0.5, .memory = Seconds{0.3}, .patience = Seconds{0.0}};
+constexpr EvidenceConfig kHalfAsMany{.caution = 0.2, .keep = 0.5, .memory = Seconds{0.3}};
 constexpr double kTypical = 30.0;
 
 TEST(Evidence, OneFrameIsNotEnough) {
@@ -105,18 +104,6 @@ TEST(Evidence, WhoActsNeedsLessToGoOn) {
   for (; frame < 150; ++frame) (void)evidence.add(Seconds{0.04 * frame}, 2);
   EXPECT_FALSE(evidence.add(Seconds{0.04 * frame}, 4));
   for (; frame < 250; ++frame) EXPECT_FALSE(evidence.add(Seconds{0.04 * frame}, 4));
-}
-
-TEST(Evidence, WhatWasThereAMomentAgoNeedsNone) {
-  EvidenceConfig patient = kHalfAsMany;
-  patient.patience = Seconds{2.0};
-  Evidence evidence(patient, kTypical);
-  int frame = 0;
-  for (; frame < 50; ++frame) (void)evidence.add(Seconds{0.04 * frame}, 20);
-  // The evidence falls below 3 within 0.6 s, and waits 2 s from there.
-  for (; frame < 110; ++frame) EXPECT_TRUE(evidence.add(Seconds{0.04 * frame}, 0)) << frame;
-  for (; frame < 115; ++frame) (void)evidence.add(Seconds{0.04 * frame}, 0);
-  for (; frame < 300; ++frame) EXPECT_FALSE(evidence.add(Seconds{0.04 * frame}, 5)) << frame;
 }
 
 /// However few rules a demonstration has, one alone agrees with none.
