@@ -54,8 +54,6 @@ struct Baseline {
                        const TrainingOptions& options, baselines::TrainingReport& report);
 };
 
-Random chances_of_training(const Scenario& scenario) { return Random(scenario.seed).fork("train"); }
-
 template <baselines::PictureKind kKind>
 std::string learn_ridge(const Scenario& /*scenario*/, const std::filesystem::path& folder,
                         const TrainingOptions& options, baselines::TrainingReport& report) {
