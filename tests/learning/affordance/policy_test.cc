@@ -37,8 +37,15 @@ Frame noise(Seconds time) {
   return frame;
 }
 
-TEST(AffordancePolicy, ActsOnAnyMatchWhereNothingIsTypical) {
-  AffordancePolicy policy(std::make_shared<Model>(random_model(3000)));
+/// A model of random rules that takes any match for its target.
+std::shared_ptr<Model> careless_model() {
+  auto model = std::make_shared<Model>(random_model(3000));
+  model->config.response.evidence.caution = 0.0;
+  return model;
+}
+
+TEST(AffordancePolicy, WithoutCautionActsOnAnyMatch) {
+  AffordancePolicy policy(careless_model());
   Annotations annotations;
   (void)policy.act({noise(Seconds{0.0}), {}}, annotations);
   EXPECT_GT(policy.configurations(), 0);
@@ -56,7 +63,7 @@ TEST(AffordancePolicy, StandsBeforeWhatMatchesFarLessThanTheDemonstration) {
 }
 
 TEST(AffordancePolicy, SearchesOnTheSideWhereTheTargetWas) {
-  auto model = std::make_shared<Model>(random_model(3000));
+  const std::shared_ptr<Model> model = careless_model();
   model->config.response.loss.strategy = "search";
   AffordancePolicy policy(model);
   Annotations annotations;
