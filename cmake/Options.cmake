@@ -52,12 +52,13 @@ function(pacer_library name)
   endif()
 endfunction()
 
-# pacer_test(NAME LABEL label... LIBS target... SOURCES file... [TOGETHER suite...] [TIMEOUT s]):
+# pacer_test(NAME LABEL label... LIBS target... SOURCES file... [TOGETHER suite...] [TIMEOUT s]
+#   [THREADED filter]):
 # GoogleTest, a process a test, but for the suites of TOGETHER: their tests share what is costly to
 # make, so each such suite is one process. Under a sanitizer, where starting one costs more than most
 # tests do, a whole program is.
 function(pacer_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "LABEL;LIBS;SOURCES;TOGETHER" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;THREADED" "LABEL;LIBS;SOURCES;TOGETHER" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
   endif()
@@ -71,7 +72,11 @@ function(pacer_test name)
   endif()
   if(PACER_SANITIZE)
     target_compile_options(${name} PRIVATE -O0)
-    add_test(NAME ${name} COMMAND ${name})
+    set(filter "*")
+    if(ARG_THREADED AND PACER_SANITIZE STREQUAL "thread")
+      set(filter "${ARG_THREADED}")  # the rest shows it nothing, and takes minutes
+    endif()
+    add_test(NAME ${name} COMMAND ${name} "--gtest_filter=${filter}")
     set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 900)
     return()
   endif()
